@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,37 +21,22 @@ struct MoverOptions {
   int max_slides = 8;             ///< how often the way may bend in one step, at least 1
 };
 
-/// What the character stands on. World coordinates.
+/// Something that the character stands on, or met on its way. World coordinates.
 template <class Id>
-struct MoverGround {
+struct MoverContact {
   Id object{};
   Index element = 0;  ///< as in Model: the triangle of a mesh
   Vec3 point{};       ///< of the object, where it is nearest to the shape
   Vec3 normal{};      ///< unit, from there to the shape
-  friend bool operator==(const MoverGround&, const MoverGround&) = default;
+  friend bool operator==(const MoverContact&, const MoverContact&) = default;
 };
 
 /// Where the character is: all that is known of it from one step to the next.
 template <class Id>
 struct MoverState {
   Pose pose{};                              ///< of the shape; the mover changes its offset alone
-  std::optional<MoverGround<Id>> ground{};  ///< none: it is in the air
+  std::optional<MoverContact<Id>> ground{};  ///< none: it is in the air
   friend bool operator==(const MoverState&, const MoverState&) = default;
-};
-
-/// What a contact is to the character, by the angle between its normal and `up`: ground up to the greatest slope,
-/// ceiling as near to straight down, wall between.
-enum class MoverSurface : std::uint8_t { ground, wall, ceiling };
-
-/// Something that was met on the way.
-template <class Id>
-struct MoverContact {
-  Id object{};
-  Index element = 0;
-  Vec3 point{};   ///< of the object, where it is nearest to the shape
-  Vec3 normal{};  ///< unit, from there to the shape
-  MoverSurface surface = MoverSurface::wall;
-  friend bool operator==(const MoverContact&, const MoverContact&) = default;
 };
 
 /// An object of the level that was somewhere else before the step: a platform, a lift, a door.
@@ -68,6 +52,8 @@ struct MoverStep {
   Vec3 moved{};                             ///< by how much in all
   Vec3 carried{};                           ///< by how much of it on or by objects that moved
   std::vector<MoverContact<Id>> contacts;   ///< met by its own motion, in the order in which they were
+  bool met_wall = false;                    ///< one of them is too steep to be walked on
+  bool met_ceiling = false;                 ///< or faces down as ground faces up
   bool stepped = false;                     ///< up a step
   bool pushed_out = false;                  ///< it began nearer to something than it stays, and was moved away
   bool tight = false;                       ///< it is still nearer than that to something, as in a way too narrow

@@ -45,6 +45,10 @@ void require_motion(const Vec3& motion, const Pose& from) {
     throw Error("a character: its motion is so long that where it leads is no double");
 }
 
+MoverContact<Index> as_told(const WalkContact& contact) {
+  return {contact.object, contact.element, contact.point, contact.normal};
+}
+
 /// One step, of which all is known.
 class OneStep {
  public:
@@ -117,16 +121,17 @@ class OneStep {
       if (below) ground = walk_.ground_at(*below);
       if (ground) end.position = *below;
     }
-    if (ground) step.state.ground = MoverGround<Index>{ground->object, ground->element, ground->point, ground->normal};
+    if (ground) step.state.ground = as_told(*ground);
   }
 
   void tell(const SlideEnd& end, MoverStep<Index>& step) const {
     for (const WalkContact& contact : end.contacts) {
       const double level = dot(contact.normal, setting_.up);
-      const MoverSurface surface = walk_.is_walkable(contact.normal)       ? MoverSurface::ground
-                                   : level <= -setting_.level_cosine ? MoverSurface::ceiling
-                                                                           : MoverSurface::wall;
-      step.contacts.push_back({contact.object, contact.element, contact.point, contact.normal, surface});
+      if (level <= -setting_.level_cosine)
+        step.met_ceiling = true;
+      else if (!walk_.is_walkable(contact.normal))
+        step.met_wall = true;
+      step.contacts.push_back(as_told(contact));
     }
   }
 
@@ -167,7 +172,7 @@ MoverState<Index> by_index(const Objects& objects, const MoverState<typename Obj
   if (!state.ground) return own;
   // Ground that is no more carries nobody.
   const Index object = object_of(objects, state.ground->object).value_or(static_cast<Index>(-1));
-  own.ground = MoverGround<Index>{object, state.ground->element, state.ground->point, state.ground->normal};
+  own.ground = {object, state.ground->element, state.ground->point, state.ground->normal};
   return own;
 }
 
@@ -176,13 +181,14 @@ MoverStep<typename Objects::Id> by_id(const Objects& objects, const MoverStep<In
   MoverStep<typename Objects::Id> own;
   own.state.pose = step.state.pose;
   if (const auto& ground = step.state.ground)
-    own.state.ground = MoverGround<typename Objects::Id>{objects.id_of(ground->object), ground->element, ground->point,
+    own.state.ground = MoverContact<typename Objects::Id>{objects.id_of(ground->object), ground->element, ground->point,
                                                          ground->normal};
   own.moved = step.moved;
   own.carried = step.carried;
   for (const MoverContact<Index>& contact : step.contacts)
-    own.contacts.push_back(
-        {objects.id_of(contact.object), contact.element, contact.point, contact.normal, contact.surface});
+    own.contacts.push_back({objects.id_of(contact.object), contact.element, contact.point, contact.normal});
+  own.met_wall = step.met_wall;
+  own.met_ceiling = step.met_ceiling;
   own.stepped = step.stepped;
   own.pushed_out = step.pushed_out;
   own.tight = step.tight;

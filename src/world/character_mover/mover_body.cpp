@@ -95,11 +95,12 @@ std::optional<MoverGap> MoverBody::core_gap(const Body& core, const LevelSet& se
   return MoverGap{found.lower - radius_, normal, found.on_b, found.lower};
 }
 
-template <class Body>
-MoverGap MoverBody::gap_of(const Body& core, const Body& whole, const LevelSet& set) const {
-  if (const auto gap = core_gap(core, set)) return *gap;
-  const Manifold overlapping = std::visit([&](const auto& thing) { return manifold(whole, thing); }, set);
-  MoverGap deepest{0, -overlapping.normal, point_at(pose_.offset), 0};
+/// Where even the core meets the thing: the way in which the two part soonest.
+MoverGap MoverBody::overlap_at(const Vec3& position, const LevelSet& set) const {
+  const Set whole = at(whole_, position);
+  const Manifold overlapping =
+      std::visit([](const auto& body, const auto& thing) { return manifold(body, thing); }, whole, set);
+  MoverGap deepest{0, -overlapping.normal, point_at(position), 0};
   for (int i = 0; i < overlapping.count; ++i) {
     const ManifoldPoint& point = overlapping.points[static_cast<std::size_t>(i)];
     if (i > 0 && -point.depth >= deepest.distance) continue;
@@ -109,12 +110,9 @@ MoverGap MoverBody::gap_of(const Body& core, const Body& whole, const LevelSet& 
   return deepest;
 }
 
-MoverGap MoverBody::gap_at(const Vec3& position, const LevelSet& set) const {
-  const Set core = at(core_, position);
-  if (const auto* quadric = std::get_if<PosedQuadric>(&core)) return gap_of(*quadric, *quadric, set);
-  const auto& polytope = std::get<PosedPolytope>(core);
-  if (const auto gap = core_gap(polytope, set)) return *gap;
-  return gap_of(polytope, std::get<PosedPolytope>(at(whole_, position)), set);
+MoverGap MoverBody::gap_of(const Placed& placed, const LevelSet& set) const {
+  const auto gap = std::visit([&](const auto& core) { return core_gap(core, set); }, placed.core);
+  return gap ? *gap : overlap_at(placed.position, set);
 }
 
 }  // namespace toccata

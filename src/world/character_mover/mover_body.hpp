@@ -39,15 +39,24 @@ class MoverBody {
   /// How far below its position its lowest point is.
   [[nodiscard]] double depth_below(const Vec3& up) const;
 
-  [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelSet& set) const;
+  using Set = std::variant<PosedPolytope, PosedQuadric>;
+
+  /// It at a place, to be compared with several things.
+  struct Placed {
+    Vec3 position;
+    Set core;
+  };
+  [[nodiscard]] Placed placed_at(const Vec3& position) const { return {position, at(core_, position)}; }
+
+  [[nodiscard]] MoverGap gap_of(const Placed& placed, const LevelSet& set) const;
+  [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelSet& set) const {
+    return gap_of(placed_at(position), set);
+  }
 
  private:
   template <class Body>
   [[nodiscard]] std::optional<MoverGap> core_gap(const Body& core, const LevelSet& set) const;
-  template <class Body>
-  [[nodiscard]] MoverGap gap_of(const Body& core, const Body& whole, const LevelSet& set) const;
-
-  using Set = std::variant<PosedPolytope, PosedQuadric>;
+  [[nodiscard]] MoverGap overlap_at(const Vec3& position, const LevelSet& set) const;
   [[nodiscard]] Set at(const Set& set, const Vec3& position) const;
 
   const Model& model_;

@@ -70,10 +70,11 @@ void MoverSurroundings::gather_object(Index object) {
 std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
   const Aabb box = widened(body_.box_at(position), distance);
   look_around(box);
+  const MoverBody::Placed placed = body_.placed_at(position);
   std::vector<NearThing> near;
   for (const LevelElement& element : elements_) {
     if (!overlap(element.box, box)) continue;
-    const MoverGap gap = body_.gap_at(position, element.set);
+    const MoverGap gap = body_.gap_of(placed, element.set);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
   return near;
@@ -104,11 +105,12 @@ std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& positio
 /// of rigid body systems", 1996): the plane across the shortest way between two convex things bounds how soon they can
 /// be nearer. Along a straight way the distance is a convex function of time, so these are the steps of Newton's method
 /// from the left, which never pass the first root.
-std::optional<double> MoverSurroundings::meeting_time(const LevelSet& set, const Vec3& position, const Vec3& motion,
-                                                      double limit) const {
+std::optional<double> MoverSurroundings::meeting_time(const LevelSet& set, const MoverBody::Placed& start,
+                                                      const Vec3& motion, double limit) const {
+  const Vec3& position = start.position;
   const double speed = length(motion);
   const double tolerance = 0x1p-28 * skin_;
-  MoverGap gap = body_.gap_at(position, set);
+  MoverGap gap = body_.gap_of(start, set);
   const double wanted = std::min(least_gap_, gap.distance);
   double time = 0;
   for (int round = 0; round < 100; ++round) {
@@ -148,11 +150,12 @@ std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position
                                                             std::optional<Index> without) {
   const Aabb way = widened(swept_box(body_.box_at(position), motion), skin_);
   look_around(way);
+  const MoverBody::Placed start = body_.placed_at(position);
   std::vector<Met> met;
   double first = 1;
   for (const LevelElement& element : elements_) {
     if (element.object == without || !overlap(element.box, way)) continue;
-    const auto time = meeting_time(element.set, position, motion, std::min(1.0, first + same_time(motion)));
+    const auto time = meeting_time(element.set, start, motion, std::min(1.0, first + same_time(motion)));
     if (!time) continue;
     met.push_back({*time, &element});
     first = std::min(first, *time);
@@ -165,12 +168,13 @@ std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position
   const Aabb box = widened(body_.box_at(position), skin_);
   const Vec3 half = 0.5 * (box.upper - box.lower);
   const PosedPolytope moving(Box(half + 0x1p-20 * half, 0.5 * (box.lower + box.upper)));
+  const MoverBody::Placed start = body_.placed_at(position);
   std::deque<LevelElement> seen;  // what is in it stays where it is
   std::vector<Met> met;
   double first = 1;
   const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
   const auto look_at = [&](LevelElement element) {
-    const auto time = meeting_time(element.set, position, motion, limit());
+    const auto time = meeting_time(element.set, start, motion, limit());
     if (!time) return limit();
     seen.push_back(std::move(element));
     met.push_back({*time, &seen.back()});

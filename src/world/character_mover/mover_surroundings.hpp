@@ -72,8 +72,8 @@ class MoverSurroundings {
                                                          std::optional<Index> without) const;
   [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
                                                        const Vec3& motion) const;
-  [[nodiscard]] std::optional<double> meeting_time(const LevelSet& set, const Vec3& position, const Vec3& motion,
-                                                   double limit) const;
+  [[nodiscard]] std::optional<double> meeting_time(const LevelSet& set, const MoverBody::Placed& start,
+                                                   const Vec3& motion, double limit) const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;
 
