@@ -25,8 +25,7 @@ Vec3 level_direction(Random& random) {
 }
 
 void add_floor(std::vector<SceneInstance>& models, double half, Random& random) {
-  models.push_back(
-      placed(Model(seamed_rectangle({-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}, random))));
+  models.push_back(placed(Model(seamed_rectangle({-half, -half, 0}, {2 * half, 0, 0}, {0, 2 * half, 0}, random))));
 }
 
 void add_room(std::vector<SceneInstance>& models, double half, double height, Random& random) {
@@ -41,12 +40,18 @@ void add_room(std::vector<SceneInstance>& models, double half, double height, Ra
 
 Model plain_shape(Random& random, double size) {
   switch (random.below(6)) {
-    case 0: return Sphere(size);
-    case 1: return Cylinder(size, size);
-    case 2: return Cone(size, 2 * size);
-    case 3: return Ellipsoid({size, 2 * size, size / 2});
-    case 4: return Capsule({}, {size, size, size}, size / 2);
-    default: return Box({size, size / 2, size});
+    case 0:
+      return Sphere(size);
+    case 1:
+      return Cylinder(size, size);
+    case 2:
+      return Cone(size, 2 * size);
+    case 3:
+      return Ellipsoid({size, 2 * size, size / 2});
+    case 4:
+      return Capsule({}, {size, size, size}, size / 2);
+    default:
+      return Box({size, size / 2, size});
   }
 }
 
@@ -67,8 +72,8 @@ void add_stairs(std::vector<SceneInstance>& models, Random& random) {
       quad({front, -2, top - height}, {front, 2, top - height}, {front, 2, top}, {front, -2, top});
       quad({front, -2, top}, {front, 2, top}, {back, 2, top}, {back, -2, top});
     } else {
-      models.push_back(placed(
-          Box({(back - front) / 2, 2, top / 2}), Pose::translation((front + back) / 2, 0, top / 2)));
+      models.push_back(
+          placed(Box({(back - front) / 2, 2, top / 2}), Pose::translation((front + back) / 2, 0, top / 2)));
     }
   }
   if (is_one_mesh) models.push_back(placed(Model(TriangleMesh(vertices, triangles))));
@@ -114,8 +119,7 @@ void fill(std::string_view family, std::vector<SceneInstance>& models, MoverLeve
   if (family == "wedge") add_wedges(models, random);
   if (family == "shapes") add_shapes(models, random);
   if (family == "soup") models.push_back(placed(Model(random_soup(random, 300, 0.2, 0)), scaled({}, 8)));
-  if (family == "terrain")
-    models.push_back(placed(Model(random_terrain(random)), Pose::translation(-12, -12, 0)));
+  if (family == "terrain") models.push_back(placed(Model(random_terrain(random)), Pose::translation(-12, -12, 0)));
   if (family == "stairs") {
     add_floor(models, 10, random);
     add_stairs(models, random);
@@ -193,11 +197,16 @@ MoverLevelCase random_level(std::string_view family, Random& random) {
 Model random_character(Random& random) {
   const double radius = random.between(0.1, 0.5), height = random.between(0, 1.2);
   switch (random.below(7)) {
-    case 0: return Sphere(radius, {0, 0, radius});
-    case 1: return Box({radius, radius, height / 2 + 0.1}, {0, 0, height / 2 + 0.1});
-    case 2: return Rounded(Box({radius, radius, height / 2 + 0.1}, {0, 0, height / 2 + 0.2}), 0.1);
-    case 3: return ConvexHull({{0, 0, 0}, {radius, 0, 0.4}, {-radius, radius, 0.5}, {0, -radius, 0.3}, {0, 0, 1.2}});
-    default: return Capsule({0, 0, radius}, {0, 0, radius + height}, radius);
+    case 0:
+      return Sphere(radius, {0, 0, radius});
+    case 1:
+      return Box({radius, radius, height / 2 + 0.1}, {0, 0, height / 2 + 0.1});
+    case 2:
+      return Rounded(Box({radius, radius, height / 2 + 0.1}, {0, 0, height / 2 + 0.2}), 0.1);
+    case 3:
+      return ConvexHull({{0, 0, 0}, {radius, 0, 0.4}, {-radius, radius, 0.5}, {0, -radius, 0.3}, {0, 0, 1.2}});
+    default:
+      return Capsule({0, 0, radius}, {0, 0, radius + height}, radius);
   }
 }
 
@@ -211,7 +220,8 @@ double distance_from_level(const SceneIndex& level, const Model& shape, const Po
 std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const MoverState<Index>& from,
                           const Vec3& motion, const MoverOptions& options, const MoverStep<Index>& step) {
   const Pose& pose = step.state.pose;
-  if (!is_finite(pose) || !(pose.linear == from.pose.linear)) return "the pose is no longer what it was but for its offset";
+  if (!is_finite(pose) || !(pose.linear == from.pose.linear))
+    return "the pose is no longer what it was but for its offset";
   const double before = distance_from_level(level.level, shape, from.pose);
   const double after = distance_from_level(level.level, shape, pose);
   if (after < std::min(before, 0.875 * options.skin) - 1e-9)

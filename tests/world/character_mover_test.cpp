@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "support/error_message.hpp"
+#include "support/mover_levels.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/toccata.hpp"
-#include "support/mover_levels.hpp"
 
 namespace toccata::test {
 namespace {
@@ -95,7 +95,8 @@ TEST(CharacterMover, SlidesAlongAWallOfManyTrianglesWithoutLoss) {
 }
 
 TEST(CharacterMover, NothingTunnelsAtAnySpeed) {
-  const SceneIndex level = level_of({box_at({10, 0, 0}, {1e-6, 50, 50}), {Model(box_mesh({1e-6, 50, 50})), Pose::translation(-10, 0, 0)}});
+  const SceneIndex level =
+      level_of({box_at({10, 0, 0}, {1e-6, 50, 50}), {Model(box_mesh({1e-6, 50, 50})), Pose::translation(-10, 0, 0)}});
   for (const double speed : {1.0, 30.0, 1e3, 1e6, 1e9})
     for (const double side : {-1.0, 1.0}) {
       State state{Pose::translation(0, 0, 0)};
@@ -154,7 +155,8 @@ TEST(CharacterMover, ASlopeThatIsTooSteepIsAWallAndNoGround) {
   EXPECT_LT(state.pose.offset.x, 3);
   // Dropped on it, it slides down to the ground.
   State falling{Pose::translation(5, 0, 4)};
-  for (int i = 0; i < 200 && !falling.ground; ++i) falling = move_character(level, walker(), falling, {0, 0, -0.2}).state;
+  for (int i = 0; i < 200 && !falling.ground; ++i)
+    falling = move_character(level, walker(), falling, {0, 0, -0.2}).state;
   ASSERT_TRUE(falling.ground);
   EXPECT_EQ(falling.ground->object, 0U);
 }
@@ -234,7 +236,8 @@ TEST(CharacterMover, ALowCeilingThatSlopesStopsIt) {
 
 TEST(CharacterMover, PassesAWayThatIsNarrowerThanItsSkinAndStopsAtOneThatItDoesNotFit) {
   for (const double half : {0.405, 0.395}) {
-    const SceneIndex level = level_of({ground(), box_at({4, half + 1, 1}, {2, 1, 1}), box_at({4, -half - 1, 1}, {2, 1, 1})});
+    const SceneIndex level =
+        level_of({ground(), box_at({4, half + 1, 1}, {2, 1, 1}), box_at({4, -half - 1, 1}, {2, 1, 1})});
     State state = standing_at(level, {4, 0, 0.1});
     const Step step = move_character(level, walker(), state, {0.1, 0, -0.1});
     EXPECT_TRUE(step.tight);
@@ -331,7 +334,8 @@ TEST(CharacterMover, AWorldIsALevelToo) {
 }
 
 TEST(CharacterMover, QuadricsWalkToo) {
-  const SceneIndex level = level_of({ground(), box_at({3, 0, 1}, {0.5, 2, 1}), {Cylinder(0.5, 2), Pose::translation(0, 3, 0)}});
+  const SceneIndex level =
+      level_of({ground(), box_at({3, 0, 1}, {0.5, 2, 1}), {Cylinder(0.5, 2), Pose::translation(0, 3, 0)}});
   const Model shape = Cylinder(0.4, 0.9);
   State state = move_character(level, shape, {Pose::translation(0, 0, 1)}, {0, 0, -0.5}).state;
   EXPECT_TRUE(state.ground);

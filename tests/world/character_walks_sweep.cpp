@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "support/sweep.hpp"
 #include "support/mover_levels.hpp"
+#include "support/sweep.hpp"
 
 // Random walks of characters in levels of many kinds, each step judged by distances to everything in the level.
 namespace toccata::test {

@@ -7,8 +7,8 @@
 #include "toccata/math/pose.hpp"
 #include "toccata/query/object_queries.hpp"
 
-// A character that walks: a convex shape that goes where it is told, as far as a level lets it, and slides along what it
-// meets. It has no mass, and nothing is kept between two steps but the state that the caller has.
+// A character that walks: a convex shape that goes where it is told, as far as a level lets it, and slides along what
+// it meets. It has no mass, and nothing is kept between two steps but the state that the caller has.
 namespace toccata {
 
 /// Lengths are in world units.
@@ -34,7 +34,7 @@ struct MoverContact {
 /// Where the character is: all that is known of it from one step to the next.
 template <class Id>
 struct MoverState {
-  Pose pose{};                              ///< of the shape; the mover changes its offset alone
+  Pose pose{};                               ///< of the shape; the mover changes its offset alone
   std::optional<MoverContact<Id>> ground{};  ///< none: it is in the air
   friend bool operator==(const MoverState&, const MoverState&) = default;
 };
@@ -49,16 +49,16 @@ struct MovedObject {
 template <class Id>
 struct MoverStep {
   MoverState<Id> state;
-  Vec3 moved{};                             ///< by how much in all
-  Vec3 carried{};                           ///< by how much of it on or by objects that moved
-  std::vector<MoverContact<Id>> contacts;   ///< met by its own motion, in the order in which they were
-  bool met_wall = false;                    ///< one of them is too steep to be walked on
-  bool met_ceiling = false;                 ///< or faces down as ground faces up
-  bool stepped = false;                     ///< up a step
-  bool pushed_out = false;                  ///< it began nearer to something than it stays, and was moved away
-  bool tight = false;                       ///< it is still nearer than that to something, as in a way too narrow
-  bool stuck = false;                       ///< it still overlaps something: there was no way out
-  bool crushed = false;                     ///< something that moved its way could not push it aside
+  Vec3 moved{};                            ///< by how much in all
+  Vec3 carried{};                          ///< by how much of it on or by objects that moved
+  std::vector<MoverContact<Id>> contacts;  ///< met by its own motion, in the order in which they were
+  bool met_wall = false;                   ///< one of them is too steep to be walked on
+  bool met_ceiling = false;                ///< or faces down as ground faces up
+  bool stepped = false;                    ///< up a step
+  bool pushed_out = false;                 ///< it began nearer to something than it stays, and was moved away
+  bool tight = false;                      ///< it is still nearer than that to something, as in a way too narrow
+  bool stuck = false;                      ///< it still overlaps something: there was no way out
+  bool crushed = false;                    ///< something that moved its way could not push it aside
   friend bool operator==(const MoverStep&, const MoverStep&) = default;
 };
 

@@ -52,7 +52,8 @@ MoverContact<Index> as_told(const WalkContact& contact) {
 /// One step, of which all is known.
 class OneStep {
  public:
-  OneStep(const SearchedObjects& objects, const Model& shape, const MoverState<Index>& from, const MoverSetting& setting)
+  OneStep(const SearchedObjects& objects, const Model& shape, const MoverState<Index>& from,
+          const MoverSetting& setting)
       : objects_(objects),
         from_(from),
         setting_(setting),
@@ -182,7 +183,7 @@ MoverStep<typename Objects::Id> by_id(const Objects& objects, const MoverStep<In
   own.state.pose = step.state.pose;
   if (const auto& ground = step.state.ground)
     own.state.ground = MoverContact<typename Objects::Id>{objects.id_of(ground->object), ground->element, ground->point,
-                                                         ground->normal};
+                                                          ground->normal};
   own.moved = step.moved;
   own.carried = step.carried;
   for (const MoverContact<Index>& contact : step.contacts)

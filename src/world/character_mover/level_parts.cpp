@@ -11,7 +11,8 @@ std::vector<PosedPart> level_parts(const SearchedObjects& objects, Index object)
 
 LevelElement element_of(const PosedPart& part, Index object) {
   const Aabb box = world_box(part.shape);
-  if (const auto* polytope = std::get_if<PosedPolytope>(&part.shape)) return {*polytope, object, part.first_element, box};
+  if (const auto* polytope = std::get_if<PosedPolytope>(&part.shape))
+    return {*polytope, object, part.first_element, box};
   if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape)) return {*quadric, object, part.first_element, box};
   return {std::get<PosedHalfSpace>(part.shape), object, part.first_element, box};
 }

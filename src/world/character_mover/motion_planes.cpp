@@ -36,8 +36,7 @@ class PlaneCorners {
     const Vec3 line = cross(p.normal, q.normal);
     const double square = dot(line, line);
     if (!(square > flat_square)) return {};
-    const Vec3 foot =
-        (p.at_least / square) * cross(q.normal, line) + (q.at_least / square) * cross(line, p.normal);
+    const Vec3 foot = (p.at_least / square) * cross(q.normal, line) + (q.at_least / square) * cross(line, p.normal);
     return foot + (dot(line, wanted_) / square) * line;
   }
 
@@ -48,8 +47,8 @@ class PlaneCorners {
       const bool is_origin = p.at_least == 0 && q.at_least == 0 && r.at_least == 0;
       return is_origin ? std::optional(Vec3{}) : std::nullopt;
     }
-    return (1 / volume) * (p.at_least * line + q.at_least * cross(r.normal, p.normal) +
-                           r.at_least * cross(p.normal, q.normal));
+    return (1 / volume) *
+           (p.at_least * line + q.at_least * cross(r.normal, p.normal) + r.at_least * cross(p.normal, q.normal));
   }
 
   void see(const std::optional<Vec3>& motion) {

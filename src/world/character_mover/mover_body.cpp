@@ -32,9 +32,10 @@ MoverCore core_of(const Shape& shape) {
 const Model& require_mover(const Model& model) {
   const ShapeClass kind = class_of(kind_of(model.shape()));
   if (kind != ShapeClass::convex && kind != ShapeClass::quadric)
-    throw Error(fmt::format("a character is a {}: it has to be one bounded convex shape, as a capsule; for anything else "
-                            "take a convex hull around it",
-                            name_of(model.shape())));
+    throw Error(
+        fmt::format("a character is a {}: it has to be one bounded convex shape, as a capsule; for anything else "
+                    "take a convex hull around it",
+                    name_of(model.shape())));
   return model;
 }
 

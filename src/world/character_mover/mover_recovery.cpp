@@ -21,8 +21,7 @@ bool are_overlapping(std::span<const NearThing> near) {
 /// shortest ways to them, and that goes into none of what is in its way.
 std::optional<Vec3> MoverWalk::way_out(std::span<const NearThing> near, std::span<const Plane> blocking) const {
   std::vector<MotionPlane> planes;
-  for (const NearThing& thing : near)
-    planes.push_back({thing.gap.normal, setting_.skin - thing.gap.distance});
+  for (const NearThing& thing : near) planes.push_back({thing.gap.normal, setting_.skin - thing.gap.distance});
   for (const Plane& plane : blocking)
     if (plane.gap.distance >= setting_.too_near()) planes.push_back({plane.gap.normal, 0});
   return nearest_motion({}, planes);

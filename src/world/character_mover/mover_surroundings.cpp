@@ -24,9 +24,7 @@ constexpr double parallel = 0x1p-36;
 
 double greatest_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-Aabb swept_box(const Aabb& box, const Vec3& motion) {
-  return merge(box, Aabb{box.lower + motion, box.upper + motion});
-}
+Aabb swept_box(const Aabb& box, const Vec3& motion) { return merge(box, Aabb{box.lower + motion, box.upper + motion}); }
 
 }  // namespace
 
@@ -139,7 +137,9 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
   for (const Met& one : met) {
     if (one.time > time + same_time(motion)) continue;
     const MoverGap gap = body_.gap_at(position + time * motion, one.thing->set);
-    const auto rank = [](const MoverGap& g, const LevelElement& e) { return std::tuple(g.distance, e.object, e.element); };
+    const auto rank = [](const MoverGap& g, const LevelElement& e) {
+      return std::tuple(g.distance, e.object, e.element);
+    };
     if (!nearest || rank(gap, *one.thing) < rank(nearest->gap, nearest->thing))
       nearest = MoverMeeting{time, gap, *one.thing};
   }

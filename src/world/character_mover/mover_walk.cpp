@@ -32,8 +32,8 @@ Vec3 MoverWalk::allowed(const Vec3& wanted, std::span<const Plane> planes, Footi
   return nearest_motion(wanted, kept, cost).value_or(Vec3{});
 }
 
-/// When the thing that is met is as far as the skin: the distance is a convex function of time, so it is not less before
-/// than its slope tells. 0 where that is no more than a hair from the start.
+/// When the thing that is met is as far as the skin: the distance is a convex function of time, so it is not less
+/// before than its slope tells. 0 where that is no more than a hair from the start.
 double MoverWalk::time_at_skin(const MoverMeeting& met, const Vec3& motion) const {
   const double approach = -dot(met.gap.normal, motion);
   const double missing = setting_.skin - met.gap.distance;

@@ -72,9 +72,7 @@ class MoverWalk {
   /// Straight on until the skin of what is met; none if nothing is.
   [[nodiscard]] std::optional<Vec3> stopped(const Vec3& position, const Vec3& motion);
 
-  [[nodiscard]] bool is_walkable(const Vec3& normal) const {
-    return dot(normal, setting_.up) >= setting_.level_cosine;
-  }
+  [[nodiscard]] bool is_walkable(const Vec3& normal) const { return dot(normal, setting_.up) >= setting_.level_cosine; }
 
  private:
   struct Plane {
