@@ -226,16 +226,17 @@ std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const
   const double after = distance_from_level(level.level, shape, pose);
   if (after < std::min(before, 0.875 * options.skin) - 1e-9)
     return fmt::format("the distance was {} and is {}, with a skin of {}", before, after, options.skin);
-  if (before > options.skin && step.pushed_out) return "pushed out of nothing";
+  if (before > options.skin && !(step.pushed_out == Vec3{})) return "pushed out of nothing";
   if (before > 0 && (step.stuck || step.crushed)) return "stuck in nothing";
   const Vec3 up = normalized(options.up);
-  const double rise = dot(step.moved, up), asked = dot(motion, up);
+  const Vec3 own = step.moved - step.carried - step.pushed_out;
+  const double rise = dot(own, up), asked = dot(motion, up);
   const double aside = length(motion - asked * up);
   const double slope = std::tan(options.max_slope_degrees * pi / 180);
   if (rise > std::max(asked, 0.0) + slope * aside + (step.stepped ? options.step_height : 0) + options.skin)
     return fmt::format("rose by {} though the motion is {}, {}, {}", rise, motion.x, motion.y, motion.z);
-  if (length(step.moved - rise * up) > length(motion) * (1 + 1e-9) + 2 * options.skin)
-    return fmt::format("went aside by {} though the motion is {} long", length(step.moved - rise * up), length(motion));
+  if (length(own - rise * up) > length(motion) * (1 + 1e-9) + 2 * options.skin)
+    return fmt::format("went aside by {} though the motion is {} long", length(own - rise * up), length(motion));
   const Vec3 at = pose.offset;
   const bool is_held = !(level.lower == level.upper);
   for (int axis = 0; is_held && axis < 3; ++axis)

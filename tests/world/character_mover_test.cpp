@@ -67,7 +67,7 @@ TEST(CharacterMover, SeamsOfAFlatFloorAreNoObstacles) {
         const Step step = move_character(level, shape, state, {0.1, 0.05, -0.1});
         EXPECT_TRUE(step.contacts.empty());
         EXPECT_TRUE(step.state.ground);
-        EXPECT_FALSE(step.pushed_out);
+        EXPECT_EQ(step.pushed_out, Vec3{});
         state = step.state;
       }
       EXPECT_NEAR(state.pose.offset.x, 4, 1e-12);
@@ -100,7 +100,7 @@ TEST(CharacterMover, NothingTunnelsAtAnySpeed) {
   for (const double speed : {1.0, 30.0, 1e3, 1e6, 1e9})
     for (const double side : {-1.0, 1.0}) {
       State state{Pose::translation(0, 0, 0)};
-      for (int i = 0; i < 3; ++i) state = move_character(level, walker(), state, {side * speed, 0.3 * speed, 0}).state;
+      for (int i = 0; i < 3; ++i) state = move_character(level, walker(), state, {side * speed, 0.1, 0}).state;
       EXPECT_LT(side * state.pose.offset.x, 10 - 0.4);
     }
 }
@@ -191,7 +191,7 @@ TEST(CharacterMover, ClimbsStairsAndComesDownOnThem) {
 }
 
 TEST(CharacterMover, AStepThatIsTooHighIsAWall) {
-  for (const double height : {0.32, 0.35, 0.5}) {
+  for (const double height : {0.305, 0.35, 0.5}) {
     const SceneIndex level = staircase(height, 5, 1);
     State state = walked(level, standing_at(level, {-1, 0, 0.1}), {0.05, 0, -0.1}, 100);
     EXPECT_LT(state.pose.offset.x, 0) << height;
@@ -257,7 +257,7 @@ TEST(CharacterMover, IsPushedOutOfWhatItStartsIn) {
   for (const SceneInstance& one : each) {
     const SceneIndex level = level_of({one});
     const Step step = move_character(level, walker(), {Pose::translation(0.2, 0.1, -0.3)}, {});
-    EXPECT_TRUE(step.pushed_out);
+    EXPECT_GT(length(step.pushed_out), 0.1);
     EXPECT_FALSE(step.stuck) << name_of(one.model.shape());
     EXPECT_GT(distance_from_level(level, walker(), step.state.pose), 0.00875) << name_of(one.model.shape());
   }

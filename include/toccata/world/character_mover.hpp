@@ -51,11 +51,11 @@ struct MoverStep {
   MoverState<Id> state;
   Vec3 moved{};                            ///< by how much in all
   Vec3 carried{};                          ///< by how much of it on or by objects that moved
+  Vec3 pushed_out{};                       ///< and out of what it began in, or nearer to than it stays
   std::vector<MoverContact<Id>> contacts;  ///< met by its own motion, in the order in which they were
   bool met_wall = false;                   ///< one of them is too steep to be walked on
   bool met_ceiling = false;                ///< or faces down as ground faces up
   bool stepped = false;                    ///< up a step
-  bool pushed_out = false;                 ///< it began nearer to something than it stays, and was moved away
   bool tight = false;                      ///< it is still nearer than that to something, as in a way too narrow
   bool stuck = false;                      ///< it still overlaps something: there was no way out
   bool crushed = false;                    ///< something that moved its way could not push it aside

@@ -98,7 +98,7 @@ class OneStep {
     step.carried = carried.position - from;
     step.crushed = carried.crushed;
     const RecoveredPlace out = walk_.recovered(carried.position, objects_);
-    step.pushed_out = out.moved;
+    step.pushed_out = out.position - carried.position;
     step.tight = out.tight;
     step.stuck = out.stuck;
     return out.position;

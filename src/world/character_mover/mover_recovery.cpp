@@ -59,7 +59,6 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
   near = around_.things_within(place.position, setting_.too_near());
   place.stuck = are_overlapping(near) || around_.holder_of(place.position).has_value();
   place.tight = !near.empty();
-  place.moved = !(place.position == position);
   return place;
 }
 

@@ -107,8 +107,9 @@ std::optional<SlideEnd> MoverWalk::step_up(const Vec3& position, const Vec3& mot
   if (!landing) return {};
   end.position = *landing;
   const auto ground = ground_at(end.position);
-  const double lowest = dot(position, up) - depth_below_;
-  const bool is_step = ground && dot(ground->point, up) - lowest <= setting_.step_height + skin;
+  // What it stands on is the skin below it; a step may be as high as that is exact.
+  const double floor = dot(position, up) - depth_below_ - skin;
+  const bool is_step = ground && dot(ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
   return is_step ? std::optional(end) : std::nullopt;
 }
 

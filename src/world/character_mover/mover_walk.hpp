@@ -45,7 +45,6 @@ enum class Footing { walking, free };
 /// How a character comes out of what it begins in.
 struct RecoveredPlace {
   Vec3 position;
-  bool moved = false;
   bool tight = false;
   bool stuck = false;
 };
