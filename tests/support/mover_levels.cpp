@@ -176,7 +176,7 @@ MoverLevelCase random_level(std::string_view family, Random& random) {
   std::vector<SceneInstance> models;
   if (family == "env") {
     const auto data = data_folder();
-    if (data) models.push_back(placed(load_model((*data / "meshes/env.obj").string())));
+    if (data) models.push_back(placed(load_model((*data / "meshes/env.obj").string()), scaled({}, 0.02)));
   } else {
     fill(family, models, made, random);
   }
@@ -185,8 +185,8 @@ MoverLevelCase random_level(std::string_view family, Random& random) {
   if (family == "soup") low = {-1, -1, -1}, high = {9, 9, 9};
   if (family == "env" && !models.empty()) {
     const Aabb& box = models[0].model.bounds();
-    low = box.lower;
-    high = box.upper;
+    low = 0.02 * box.lower;
+    high = 0.02 * box.upper;
   }
   for (int i = 0; i < 8; ++i)
     made.starts.push_back(
@@ -268,7 +268,7 @@ std::string fault_of_walk(const MoverLevelCase& level, Random& random, int steps
     }
     if (!fault.empty()) return fmt::format("step {}: {}", i, fault);
     state = step.state;
-    if (length(state.pose.offset) > 50) return {};  // out of the level
+    if (length(state.pose.offset) > 100) return {};  // out of the level
   }
   return {};
 }

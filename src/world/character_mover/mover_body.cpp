@@ -111,9 +111,20 @@ MoverGap MoverBody::overlap_at(const Vec3& position, const LevelSet& set) const 
   return deepest;
 }
 
-MoverGap MoverBody::gap_of(const Placed& placed, const LevelSet& set) const {
-  const auto gap = std::visit([&](const auto& core) { return core_gap(core, set); }, placed.core);
-  return gap ? *gap : overlap_at(placed.position, set);
+MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing) const {
+  const auto* core = std::get_if<PosedPolytope>(&placed.core);
+  if (core == nullptr) return {-infinity, {}};
+  const PlaneGap gap = plane_gap(*core, thing.planes);
+  return {gap.distance - (radius_ + thing.planes.radius), gap};
+}
+
+MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) const {
+  const Bound bound = bound_of(placed, thing);
+  if (bound.planes.is_exact)
+    return {bound.distance, bound.planes.normal, bound.planes.foot + thing.planes.radius * bound.planes.normal,
+            bound.planes.distance};
+  const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed.core);
+  return gap ? *gap : overlap_at(placed.position, thing.set);
 }
 
 }  // namespace toccata

@@ -6,11 +6,18 @@
 #include "query/posed_shape.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/query/model.hpp"
+#include "world/character_mover/thing_planes.hpp"
 
 namespace toccata {
 
-/// A convex thing of the level: an object, a part of one, or a triangle of it.
-using LevelSet = std::variant<PosedPolytope, PosedHalfSpace, PosedQuadric>;
+/// A convex thing of the level, and what it is called.
+struct LevelElement {
+  LevelSet set;
+  Index object = 0;
+  Index element = 0;  ///< as in Model
+  Aabb box;           ///< around it, in the world
+  ThingPlanes planes;
+};
 
 /// How far a body is from a convex thing.
 struct MoverGap {
@@ -48,10 +55,18 @@ class MoverBody {
   };
   [[nodiscard]] Placed placed_at(const Vec3& position) const { return {position, at(core_, position)}; }
 
-  [[nodiscard]] MoverGap gap_of(const Placed& placed, const LevelSet& set) const;
-  [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelSet& set) const {
-    return gap_of(placed_at(position), set);
+  [[nodiscard]] MoverGap gap_of(const Placed& placed, const LevelElement& thing) const;
+  [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelElement& thing) const {
+    return gap_of(placed_at(position), thing);
   }
+
+  /// By the planes of the thing alone, which takes a fraction of the time: the distance is no more than the true one,
+  /// and none is told (it is −∞) where no plane is known.
+  struct Bound {
+    double distance;
+    PlaneGap planes;
+  };
+  [[nodiscard]] Bound bound_of(const Placed& placed, const LevelElement& thing) const;
 
  private:
   template <class Body>

@@ -49,7 +49,7 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
   for (int round = 0; round < most_recovery_rounds; ++round) {
     near = around_.things_within(place.position, setting_.too_near());
     if (near.empty()) break;
-    for (Plane& plane : blocking) plane.gap = around_.body().gap_at(place.position, plane.thing.set);
+    for (Plane& plane : blocking) plane.gap = around_.body().gap_at(place.position, plane.thing);
     const std::optional<Vec3> motion = way_out(near, blocking);
     if (!motion || *motion == Vec3{}) break;
     const auto met = around_.first_meeting(place.position, *motion);

@@ -19,8 +19,11 @@ namespace {
 /// Witness points are off by no more than this times the greatest coordinate (convex_convex.hpp).
 constexpr double witness_error = 1e-12;
 
-/// A motion within this of parallel to a plane does not go into it.
-constexpr double parallel = 0x1p-36;
+/// A motion within this of parallel to a plane does not go into it, as long as it is by less than this of the skin.
+constexpr double parallel = 0x1p-36, parallel_share = 0x1p-9;
+
+/// How much of the skin the planes that tell a distance may be wrong by at most.
+constexpr double witness_share = 0x1p-8;
 
 double greatest_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -72,7 +75,8 @@ std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, do
   std::vector<NearThing> near;
   for (const LevelElement& element : elements_) {
     if (!overlap(element.box, box)) continue;
-    const MoverGap gap = body_.gap_of(placed, element.set);
+    if (body_.bound_of(placed, element).distance > distance) continue;
+    const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
   return near;
@@ -103,28 +107,28 @@ std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& positio
 /// of rigid body systems", 1996): the plane across the shortest way between two convex things bounds how soon they can
 /// be nearer. Along a straight way the distance is a convex function of time, so these are the steps of Newton's method
 /// from the left, which never pass the first root.
-std::optional<double> MoverSurroundings::meeting_time(const LevelSet& set, const MoverBody::Placed& start,
+std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
                                                       const Vec3& motion, double limit) const {
   const Vec3& position = start.position;
   const double speed = length(motion);
   const double tolerance = 0x1p-28 * skin_;
-  MoverGap gap = body_.gap_of(start, set);
+  MoverGap gap = body_.gap_of(start, thing);
   const double wanted = std::min(least_gap_, gap.distance);
   double time = 0;
   for (int round = 0; round < 100; ++round) {
     const double approach = -dot(gap.normal, motion);
-    const bool is_leaving = approach <= parallel * speed;
+    const bool is_leaving = approach <= std::min(parallel * speed, parallel_share * skin_);
     const double excess = gap.distance - wanted;
     if (!is_leaving && excess <= tolerance) return time;
     if (gap.normal == Vec3{}) return time;
     if (is_leaving && gap.distance <= 0) return {};
-    // So far the plane is known, but for an error of a 64th of the skin.
+    // So far the plane is known.
     const Vec3 at = position + time * motion;
     const double extent = std::max(greatest_coordinate(at), greatest_coordinate(gap.point)) + body_.size();
-    const double known = (0x1p-6 * skin_ / witness_error) * (gap.witness / (extent * speed));
+    const double known = (witness_share * skin_ / witness_error) * (gap.witness / (extent * speed));
     time += is_leaving ? known : std::min(known, excess / approach);
     if (!(time <= limit)) return {};
-    gap = body_.gap_at(position + time * motion, set);
+    gap = body_.gap_at(position + time * motion, thing);
   }
   return time;
 }
@@ -136,7 +140,7 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
   std::optional<MoverMeeting> nearest;
   for (const Met& one : met) {
     if (one.time > time + same_time(motion)) continue;
-    const MoverGap gap = body_.gap_at(position + time * motion, one.thing->set);
+    const MoverGap gap = body_.gap_at(position + time * motion, *one.thing);
     const auto rank = [](const MoverGap& g, const LevelElement& e) {
       return std::tuple(g.distance, e.object, e.element);
     };
@@ -146,18 +150,42 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
   return nearest;
 }
 
+/// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
+double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
+                                     const Vec3& motion) const {
+  const MoverBody::Bound bound = body_.bound_of(start, thing);
+  if (!(bound.distance >= least_gap_)) return 0;
+  const double approach = -dot(bound.planes.normal, motion);
+  const bool is_leaving = approach <= std::min(parallel * length(motion), parallel_share * skin_);
+  return is_leaving ? 2 : (bound.distance - least_gap_) / approach;
+}
+
+/// What the planes of the faces leave is looked at in the order of the times that they tell, and what has a vertex of
+/// the body over a face first: its distance is told by the face, and what lies in the same plane comes no sooner.
 std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
                                                             std::optional<Index> without) {
   const Aabb way = widened(swept_box(body_.box_at(position), motion), skin_);
   look_around(way);
   const MoverBody::Placed start = body_.placed_at(position);
-  std::vector<Met> met;
-  double first = 1;
+  const double same = same_time(motion);
+  std::vector<Waiting> waiting;
   for (const LevelElement& element : elements_) {
     if (element.object == without || !overlap(element.box, way)) continue;
-    const auto time = meeting_time(element.set, start, motion, std::min(1.0, first + same_time(motion)));
+    const double time = free_until(element, start, motion);
+    if (!(time <= 1)) continue;
+    const MoverBody::Placed then = body_.placed_at(position + time * motion);
+    waiting.push_back({!body_.bound_of(then, element).planes.is_exact, time, &element});
+  }
+  std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tie(a.is_slow, a.time) < std::tie(b.is_slow, b.time);
+  });
+  std::vector<Met> met;
+  double first = 1;
+  for (const Waiting& next : waiting) {
+    if (!met.empty() && next.is_slow && next.time >= first - same) continue;
+    const auto time = meeting_time(*next.thing, start, motion, std::min(1.0, first + same));
     if (!time) continue;
-    met.push_back({*time, &element});
+    met.push_back({*time, next.thing});
     first = std::min(first, *time);
   }
   return nearest_of(met, first, position, motion);
@@ -174,7 +202,8 @@ std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position
   double first = 1;
   const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
   const auto look_at = [&](LevelElement element) {
-    const auto time = meeting_time(element.set, start, motion, limit());
+    if (!(free_until(element, start, motion) <= limit())) return limit();
+    const auto time = meeting_time(element, start, motion, limit());
     if (!time) return limit();
     seen.push_back(std::move(element));
     met.push_back({*time, &seen.back()});

@@ -10,14 +10,6 @@
 
 namespace toccata {
 
-/// A convex thing of the level, and what it is called.
-struct LevelElement {
-  LevelSet set;
-  Index object = 0;
-  Index element = 0;  ///< as in Model
-  Aabb box;           ///< around it, in the world
-};
-
 /// Something that a body comes as near to as it may.
 struct MoverMeeting {
   double time = 0;  ///< the fraction of the way; proved: before it nothing is nearer
@@ -62,6 +54,11 @@ class MoverSurroundings {
     double time;
     const LevelElement* thing;
   };
+  struct Waiting {
+    bool is_slow;
+    double time;  ///< it is not met before
+    const LevelElement* thing;
+  };
 
   void gather();
   void gather_object(Index object);
@@ -72,8 +69,9 @@ class MoverSurroundings {
                                                          std::optional<Index> without) const;
   [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
                                                        const Vec3& motion) const;
-  [[nodiscard]] std::optional<double> meeting_time(const LevelSet& set, const MoverBody::Placed& start,
+  [[nodiscard]] std::optional<double> meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
                                                    const Vec3& motion, double limit) const;
+  [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;
 

@@ -56,7 +56,7 @@ SlideEnd MoverWalk::slide(const Vec3& position, const Vec3& wanted, Footing foot
     const double time = time_at_skin(*met, motion);
     end.position += time * motion;
     rest = (1 - time) * rest;
-    for (Plane& plane : planes) plane.gap = around_.body().gap_at(end.position, plane.thing.set);
+    for (Plane& plane : planes) plane.gap = around_.body().gap_at(end.position, plane.thing);
     planes.push_back({met->thing, met->gap});
     end.contacts.push_back({met->thing.object, met->thing.element, met->gap.point, met->gap.normal});
   }
