@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "math/constants.hpp"
@@ -111,11 +112,24 @@ MoverGap MoverBody::overlap_at(const Vec3& position, const LevelSet& set) const 
   return deepest;
 }
 
-MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing) const {
-  const auto* core = std::get_if<PosedPolytope>(&placed.core);
-  if (core == nullptr) return {-infinity, {}};
-  const PlaneGap gap = plane_gap(*core, thing.planes);
-  return {gap.distance - (radius_ + thing.planes.radius), gap};
+MoverBody::Placed MoverBody::placed_at(const Vec3& position) const {
+  Placed placed{position, {}};
+  const auto* core = std::get_if<PosedPolytope>(&core_);
+  FewCorners& few = placed.corners;
+  if (core == nullptr || core->vertex_count() > few.corners.size()) return placed;
+  const Vec3 by = position - pose_.offset;
+  for (Index i = 0; i < core->vertex_count(); ++i) {
+    const Vec3 corner = core->vertex(i) + by;
+    few.corners[few.count++] = corner;
+    for (int axis = 0; axis < 3; ++axis) few.extent = std::max(few.extent, std::abs(corner[axis]));
+  }
+  return placed;
+}
+
+MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing, double enough) const {
+  const double radii = radius_ + thing.planes.radius;
+  const PlaneGap gap = plane_gap(placed.corners, thing.planes, enough + radii);
+  return {gap.distance - radii, gap};
 }
 
 MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) const {
@@ -123,7 +137,8 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
   if (bound.planes.is_exact)
     return {bound.distance, bound.planes.normal, bound.planes.foot + thing.planes.radius * bound.planes.normal,
             bound.planes.distance};
-  const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed.core);
+  const Set placed_core = at(core_, placed.position);
+  const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed_core);
   return gap ? *gap : overlap_at(placed.position, thing.set);
 }
 

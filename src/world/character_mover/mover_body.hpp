@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -46,14 +47,14 @@ class MoverBody {
   /// How far below its position its lowest point is.
   [[nodiscard]] double depth_below(const Vec3& up) const;
 
-  using Set = std::variant<PosedPolytope, PosedQuadric>;
-
   /// It at a place, to be compared with several things.
   struct Placed {
     Vec3 position;
-    Set core;
+    FewCorners corners;  ///< of the core
   };
-  [[nodiscard]] Placed placed_at(const Vec3& position) const { return {position, at(core_, position)}; }
+  [[nodiscard]] Placed placed_at(const Vec3& position) const;
+  /// By how much the core is grown.
+  [[nodiscard]] double radius() const { return radius_; }
 
   [[nodiscard]] MoverGap gap_of(const Placed& placed, const LevelElement& thing) const;
   [[nodiscard]] MoverGap gap_at(const Vec3& position, const LevelElement& thing) const {
@@ -66,9 +67,12 @@ class MoverBody {
     double distance;
     PlaneGap planes;
   };
-  [[nodiscard]] Bound bound_of(const Placed& placed, const LevelElement& thing) const;
+  [[nodiscard]] Bound bound_of(const Placed& placed, const LevelElement& thing,
+                               double enough = std::numeric_limits<double>::infinity()) const;
 
  private:
+  using Set = std::variant<PosedPolytope, PosedQuadric>;
+
   template <class Body>
   [[nodiscard]] std::optional<MoverGap> core_gap(const Body& core, const LevelSet& set) const;
   [[nodiscard]] MoverGap overlap_at(const Vec3& position, const LevelSet& set) const;

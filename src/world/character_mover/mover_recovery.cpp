@@ -45,18 +45,16 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
   RecoveredPlace place{position};
   if (const auto outside = out_of_solid(position, objects)) place.position = *outside;
   std::vector<Plane> blocking;
-  std::vector<NearThing> near;
-  for (int round = 0; round < most_recovery_rounds; ++round) {
-    near = around_.things_within(place.position, setting_.too_near());
-    if (near.empty()) break;
+  std::vector<NearThing> near = around_.things_within(place.position, setting_.too_near());
+  for (int round = 0; round < most_recovery_rounds && !near.empty(); ++round) {
     for (Plane& plane : blocking) plane.gap = around_.body().gap_at(place.position, plane.thing);
     const std::optional<Vec3> motion = way_out(near, blocking);
     if (!motion || *motion == Vec3{}) break;
     const auto met = around_.first_meeting(place.position, *motion);
     if (met) blocking.push_back({met->thing, met->gap});
     place.position += (met ? met->time : 1) * *motion;
+    near = around_.things_within(place.position, setting_.too_near());
   }
-  near = around_.things_within(place.position, setting_.too_near());
   place.stuck = are_overlapping(near) || around_.holder_of(place.position).has_value();
   place.tight = !near.empty();
   return place;

@@ -60,6 +60,7 @@ void MoverSurroundings::gather_object(Index object) {
         return true;
       });
       std::sort(triangles.begin(), triangles.end());
+      elements_.reserve(elements_.size() + triangles.size());
       for (const Index i : triangles) elements_.push_back(element_of(mesh->mesh, i, part.first_element, object));
       if (mesh->solid) solids_.push_back({object, mesh->mesh});
     } else if (overlap(world_box(part.shape), region_)) {
@@ -75,7 +76,7 @@ std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, do
   std::vector<NearThing> near;
   for (const LevelElement& element : elements_) {
     if (!overlap(element.box, box)) continue;
-    if (body_.bound_of(placed, element).distance > distance) continue;
+    if (body_.bound_of(placed, element, distance).distance > distance) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
@@ -153,11 +154,18 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
 /// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
 double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
                                      const Vec3& motion) const {
-  const MoverBody::Bound bound = body_.bound_of(start, thing);
-  if (!(bound.distance >= least_gap_)) return 0;
-  const double approach = -dot(bound.planes.normal, motion);
-  const bool is_leaving = approach <= std::min(parallel * length(motion), parallel_share * skin_);
-  return is_leaving ? 2 : (bound.distance - least_gap_) / approach;
+  const FewCorners& corners = start.corners;
+  if (corners.count == 0) return 0;
+  const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
+  const double parallel_speed = std::min(parallel * length(motion), parallel_share * skin_);
+  double free = 0;
+  for (std::size_t p = 0; p < thing.planes.count && free <= 1; ++p) {
+    const ThingPlanes::Plane& plane = thing.planes.planes[p];
+    const double excess = corners.lowest_along(plane.normal) - plane.top - taken;
+    const double approach = -dot(plane.normal, motion);
+    if (excess >= 0) free = std::max(free, approach <= parallel_speed ? 2 : excess / approach);
+  }
+  return free;
 }
 
 /// What the planes of the faces leave is looked at in the order of the times that they tell, and what has a vertex of
@@ -172,7 +180,7 @@ std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position
   for (const LevelElement& element : elements_) {
     if (element.object == without || !overlap(element.box, way)) continue;
     const double time = free_until(element, start, motion);
-    if (!(time <= 1)) continue;
+    if (time > 1) continue;
     const MoverBody::Placed then = body_.placed_at(position + time * motion);
     waiting.push_back({!body_.bound_of(then, element).planes.is_exact, time, &element});
   }

@@ -54,26 +54,32 @@ ThingPlanes planes_of(const LevelSet& set) {
   return planes;
 }
 
-PlaneGap plane_gap(const PosedPolytope& above, const ThingPlanes& planes) {
+double FewCorners::lowest_along(const Vec3& direction) const {
+  double lowest = infinity;
+  for (std::size_t i = 0; i < count; ++i) lowest = std::min(lowest, dot(direction, corners[i]));
+  return lowest;
+}
+
+double height_slack(const FewCorners& above, const ThingPlanes& planes) {
+  return height_error * std::max(above.extent, planes.extent);
+}
+
+PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {
   PlaneGap best{-infinity};
-  if (planes.count == 0 || above.vertex_count() > 64) return best;
-  double extent = planes.extent;
-  for (Index i = 0; i < above.vertex_count(); ++i) extent = std::max(extent, greatest_coordinate_of(above.vertex(i)));
-  const double slack = height_error * extent;
+  if (above.count == 0) return best;
+  const double slack = height_slack(above, planes);
   std::size_t face = 0;
-  for (std::size_t p = 0; p < planes.count; ++p) {
-    double lowest = infinity;
-    for (Index i = 0; i < above.vertex_count(); ++i)
-      lowest = std::min(lowest, dot(planes.planes[p].normal, above.vertex(i)));
-    const double gap = lowest - planes.planes[p].top - slack;
-    if (gap > best.distance) best = {gap, planes.planes[p].normal, false, {}};
-    if (gap == best.distance) face = p;
+  for (std::size_t p = 0; p < planes.count && best.distance < enough; ++p) {
+    const ThingPlanes::Plane& plane = planes.planes[p];
+    const double gap = above.lowest_along(plane.normal) - plane.top - slack;
+    if (!(gap > best.distance)) continue;
+    best = {gap, plane.normal};
+    face = p;
   }
   if (!(best.distance > 0)) return best;
-  for (Index i = 0; i < above.vertex_count() && !best.is_exact; ++i) {
-    const Vec3 vertex = above.vertex(i);
-    const double height = dot(best.normal, vertex) - planes.planes[face].top;
-    best.foot = vertex - height * best.normal;
+  for (std::size_t i = 0; i < above.count && !best.is_exact; ++i) {
+    const double height = dot(best.normal, above.corners[i]) - planes.planes[face].top;
+    best.foot = above.corners[i] - height * best.normal;
     best.is_exact = height <= best.distance + 3 * slack && is_over_the_rest(best.foot, planes, face, slack);
   }
   return best;

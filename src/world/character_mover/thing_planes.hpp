@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <variant>
 
 #include "query/posed_shape.hpp"
@@ -28,15 +29,28 @@ struct ThingPlanes {
 
 [[nodiscard]] ThingPlanes planes_of(const LevelSet& set);
 
+/// The vertices of a polytope of at most eight; of others none.
+struct FewCorners {
+  std::array<Vec3, 8> corners{};
+  std::size_t count = 0;
+  double extent = 0;  ///< the greatest coordinate
+
+  [[nodiscard]] double lowest_along(const Vec3& direction) const;
+};
+
 /// How far a polytope is from a thing, by the plane that separates the two the most.
 struct PlaneGap {
-  double distance = 0;  ///< no more than the true one, of the two without radii; negative where no plane separates them
-  Vec3 normal{};        ///< of that plane
+  double distance = 0;    ///< no more than the true one, of the two without radii; −∞ where nothing is known
+  Vec3 normal{};          ///< of that plane
   bool is_exact = false;  ///< it is the distance but for rounding: a lowest vertex is over the face
   Vec3 foot{};            ///< then, where on it
 };
 
-/// With no plane it tells nothing: a distance below 0.
-[[nodiscard]] PlaneGap plane_gap(const PosedPolytope& above, const ThingPlanes& planes);
+/// What heights along the normals of planes may be off by.
+[[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
+
+/// By the first plane that is `enough`, or else the best.
+[[nodiscard]] PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes,
+                                 double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace toccata
