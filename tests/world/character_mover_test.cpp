@@ -58,7 +58,7 @@ TEST(CharacterMover, LandsAtTheSkinAndStandsStillToTheLastBit) {
 
 TEST(CharacterMover, SeamsOfAFlatFloorAreNoObstacles) {
   Random random(1);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < 5; ++round) {
     const SceneIndex level = level_of({{Model(seamed_rectangle({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, random)), {}}});
     for (const Model& shape : {walker(), Model(Box({0.4, 0.3, 0.5}, {0, 0, 0.5}))}) {
       State state = move_character(level, shape, {Pose::translation(-4, -3, 0.05)}, {0, 0, -0.5}).state;
@@ -79,7 +79,7 @@ TEST(CharacterMover, SeamsOfAFlatFloorAreNoObstacles) {
 
 TEST(CharacterMover, SlidesAlongAWallOfManyTrianglesWithoutLoss) {
   Random random(2);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < 3; ++round) {
     const SceneIndex level =
         level_of({ground(), {Model(seamed_rectangle({-6, 1, -1}, {12, 0, 0}, {0, 0, 4}, random)), {}}});
     State state = walked(level, standing_at(level, {-4, 0, 0.1}), {0, 0.2, 0}, 5);
@@ -119,7 +119,7 @@ TEST(CharacterMover, StopsInCornersOfTwoAndThreePlanesAndStaysThere) {
     // The wedge opens against x; the half-spaces lie beyond its sides.
     const SceneIndex wedge = level_of({ground(), {HalfSpace({5, 0, 0}, -one), {}}, {HalfSpace({5, 0, 0}, -two), {}}});
     State state = standing_at(wedge, {5 - 3 / std::sin(half), 0, 0.1});
-    for (int i = 0; i < 400; ++i) state = move_character(wedge, walker(), state, {0.1, 0.03, -0.1}).state;
+    for (int i = 0; i < 100; ++i) state = move_character(wedge, walker(), state, {0.4, 0.1, -0.1}).state;
     const State there = state;
     for (int i = 0; i < 20; ++i) {
       state = move_character(wedge, walker(), state, {0.1, 0.03, -0.1}).state;
@@ -242,7 +242,7 @@ TEST(CharacterMover, PassesAWayThatIsNarrowerThanItsSkinAndStopsAtOneThatItDoesN
     const Step step = move_character(level, walker(), state, {0.1, 0, -0.1});
     EXPECT_TRUE(step.tight);
     EXPECT_EQ(step.stuck, half < 0.4);
-    state = walked(level, standing_at(level, {0, 0, 0.1}), {0.1, 0, -0.1}, 100);
+    state = walked(level, standing_at(level, {1, 0, 0.1}), {0.1, 0, -0.1}, 15);
     EXPECT_LT(state.pose.offset.x, 2) << half;
   }
 }
@@ -386,7 +386,7 @@ TEST(CharacterMover, RandomWalksKeepWhatIsPromised) {
   for (const std::string_view family : level_families) {
     Random random(7);
     const MoverLevelCase level = random_level(family, random);
-    for (int walk = 0; walk < 3; ++walk) EXPECT_EQ(fault_of_walk(level, random, 20), "") << family << ' ' << walk;
+    for (int walk = 0; walk < 2; ++walk) EXPECT_EQ(fault_of_walk(level, random, 8), "") << family << ' ' << walk;
   }
 }
 

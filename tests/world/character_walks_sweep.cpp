@@ -27,10 +27,10 @@ SweepResult run_character_walks(const std::string& family, std::uint64_t seed, s
 const bool character_walks_known = register_sweep({.name = "character-walks",
                                                    .families = {level_families.begin(), level_families.end()},
                                                    .goal = 100'000,
-                                                   .slice = 10,
+                                                   .slice = 4,
                                                    .run = run_character_walks,
                                                    .shard = 500,
-                                                   .thin_slice = 2});
+                                                   .thin_slice = 1});
 
 }  // namespace
 }  // namespace toccata::test
