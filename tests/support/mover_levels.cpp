@@ -140,6 +140,24 @@ void fill(std::string_view family, std::vector<SceneInstance>& models, MoverLeve
   }
 }
 
+/// Of a step in which nothing was met: it leads where it was wanted, and the casts of the library, which are made
+/// otherwise, meet nothing on the way, which is straight, and then down to the ground.
+std::string fault_of_free_way(const MoverLevelCase& level, const Model& shape, const MoverState<Index>& from,
+                              const Vec3& motion, const Vec3& up, const MoverStep<Index>& step) {
+  const double asked = dot(motion, up);
+  const bool walks = from.ground && asked <= 0;
+  const Vec3 aside = walks ? motion - asked * up : motion;
+  const Vec3 down = step.moved - aside;
+  if (length(down - dot(down, up) * up) > 1e-12 * (1 + length(motion))) return "it met nothing and went astray";
+  if (!walks && length(down) > 1e-12 * (1 + length(motion))) return "it met nothing and stopped";
+  Pose pose = from.pose;
+  for (const Vec3& leg : {aside, down}) {
+    if (!(leg == Vec3{}) && level.level.cast_shape({{shape, pose}, leg})) return "it passed through something";
+    pose.offset += leg;
+  }
+  return {};
+}
+
 }  // namespace
 
 TriangleMesh seamed_rectangle(const Vec3& corner, const Vec3& side, const Vec3& other, Random& random) {
@@ -237,6 +255,9 @@ std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const
     return fmt::format("rose by {} though the motion is {}, {}, {}", rise, motion.x, motion.y, motion.z);
   if (length(own - rise * up) > length(motion) * (1 + 1e-9) + 2 * options.skin)
     return fmt::format("went aside by {} though the motion is {} long", length(own - rise * up), length(motion));
+  const bool is_free = before > 0 && step.contacts.empty() && !step.stepped && own == step.moved;
+  if (std::string fault = is_free ? fault_of_free_way(level, shape, from, motion, up, step) : ""; !fault.empty())
+    return fault;
   const Vec3 at = pose.offset;
   const bool is_held = !(level.lower == level.upper);
   for (int axis = 0; is_held && axis < 3; ++axis)

@@ -20,7 +20,7 @@ void require_option(bool is_fine, const char* name, double value, const char* ra
   if (!is_fine) throw Error(fmt::format("a character: its {} is {}; it has to be {}", name, value, range));
 }
 
-MoverSetting checked(const MoverOptions& options) {
+MoverSetting checked_setting(const MoverOptions& options) {
   const Vec3 up = normalized(options.up);
   if (up == Vec3{}) throw Error("a character: its `up` has no direction; give one of a length above 0");
   const auto is_length = [](double value) { return value >= 0 && std::isfinite(value); };
@@ -38,14 +38,14 @@ MoverSetting checked(const MoverOptions& options) {
           options.max_slides};
 }
 
-void require_motion(const Vec3& motion, const Pose& from) {
+void require_way(const Vec3& motion, const Pose& from) {
   if (!is_finite(motion)) throw Error("a character: its motion has a coordinate that is not finite");
   if (!is_finite(from)) throw Error("a character: its pose has a number that is not finite");
   if (!is_finite(from.offset + 2 * motion) || !std::isfinite(length(motion) * length(motion)))
     throw Error("a character: its motion is so long that where it leads is no double");
 }
 
-MoverContact<Index> as_told(const WalkContact& contact) {
+MoverContact<Index> told_contact(const WalkContact& contact) {
   return {contact.object, contact.element, contact.point, contact.normal};
 }
 
@@ -122,7 +122,7 @@ class OneStep {
       if (below) ground = walk_.ground_at(*below);
       if (ground) end.position = *below;
     }
-    if (ground) step.state.ground = as_told(*ground);
+    if (ground) step.state.ground = told_contact(*ground);
   }
 
   void tell(const SlideEnd& end, MoverStep<Index>& step) const {
@@ -132,7 +132,7 @@ class OneStep {
         step.met_ceiling = true;
       else if (!walk_.is_walkable(contact.normal))
         step.met_wall = true;
-      step.contacts.push_back(as_told(contact));
+      step.contacts.push_back(told_contact(contact));
     }
   }
 
@@ -146,10 +146,10 @@ class OneStep {
 
 // What an object is called by its number, and the other way round; none where it is no more.
 
-std::optional<Index> object_of(const SceneObjects& objects, Index id) {
+std::optional<Index> index_in_level(const SceneObjects& objects, Index id) {
   return id < objects.models.size() ? std::optional(id) : std::nullopt;
 }
-std::optional<Index> object_of(const WorldBodies& bodies, BodyId id) {
+std::optional<Index> index_in_level(const WorldBodies& bodies, BodyId id) {
   return bodies.world->contains(id) ? std::optional(id.index) : std::nullopt;
 }
 
@@ -158,7 +158,7 @@ std::vector<MovedIndex> moved_indices(const Objects& objects,
                                       std::span<const MovedObject<typename Objects::Id>> moved) {
   std::vector<MovedIndex> indices;
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    const std::optional<Index> object = object_of(objects, moved[i].object);
+    const std::optional<Index> object = index_in_level(objects, moved[i].object);
     if (!object) throw Error(fmt::format("a character: object {} of those that moved is not in the level", i));
     if (!is_finite(moved[i].before))
       throw Error(fmt::format("a character: where object {} of those that moved was is not finite", i));
@@ -172,7 +172,7 @@ MoverState<Index> by_index(const Objects& objects, const MoverState<typename Obj
   MoverState<Index> own{state.pose, {}};
   if (!state.ground) return own;
   // Ground that is no more carries nobody.
-  const Index object = object_of(objects, state.ground->object).value_or(static_cast<Index>(-1));
+  const Index object = index_in_level(objects, state.ground->object).value_or(static_cast<Index>(-1));
   own.ground = {object, state.ground->element, state.ground->point, state.ground->normal};
   return own;
 }
@@ -207,8 +207,8 @@ MoverStep<typename Objects::Id> move_character(const ObjectQueries<Objects>& lev
                                                std::span<const MovedObject<typename Objects::Id>> moved) {
   const Objects& objects = level.objects();
   objects.require_unchanged();
-  const MoverSetting setting = checked(options);
-  require_motion(motion, from.pose);
+  const MoverSetting setting = checked_setting(options);
+  require_way(motion, from.pose);
   const auto at = [&](Index object) { return objects.at(object); };
   const auto name_of = [&](Index object) { return objects.name_of(object); };
   const auto accepts = [&](Index object) { return objects.accepts(filter, object); };

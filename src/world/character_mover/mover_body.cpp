@@ -21,7 +21,7 @@ struct MoverCore {
 };
 
 /// The shape without the ball that it is grown by.
-MoverCore core_of(const Shape& shape) {
+MoverCore mover_core(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return {Point(sphere->centre()), sphere->radius()};
   if (const auto* capsule = std::get_if<Capsule>(&shape))
     return {Segment(capsule->start(), capsule->end()), capsule->radius()};
@@ -51,8 +51,8 @@ std::variant<PosedPolytope, PosedQuadric> posed_set(const Shape& shape, const Po
 MoverBody::MoverBody(const Model& shape, const Pose& pose)
     : model_(require_mover(shape)),
       pose_(pose),
-      radius_(core_of(shape.shape()).radius),
-      core_shape_(core_of(shape.shape()).shape),
+      radius_(mover_core(shape.shape()).radius),
+      core_shape_(mover_core(shape.shape()).shape),
       whole_(posed_set(shape.shape(), pose)),
       core_(posed_set(core_shape_, pose)),
       box_(std::visit([](const auto& set) { return world_box(set); }, whole_)) {

@@ -5,12 +5,9 @@
 #include <deque>
 #include <tuple>
 
-#include <fmt/format.h>
-
 #include "query/casts/swept_view.hpp"
 #include "query/meshes/world_search.hpp"
 #include "query/relation/relation_locality.hpp"
-#include "toccata/core/error.hpp"
 #include "world/character_mover/level_parts.hpp"
 
 namespace toccata {
@@ -20,14 +17,16 @@ namespace {
 constexpr double witness_error = 1e-12;
 
 /// A motion within this of parallel to a plane does not go into it, as long as it is by less than this of the skin.
-constexpr double parallel = 0x1p-36, parallel_share = 0x1p-9;
+constexpr double parallel_slope = 0x1p-36, parallel_share = 0x1p-9;
 
 /// How much of the skin the planes that tell a distance may be wrong by at most.
 constexpr double witness_share = 0x1p-8;
 
-double greatest_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double most_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-Aabb swept_box(const Aabb& box, const Vec3& motion) { return merge(box, Aabb{box.lower + motion, box.upper + motion}); }
+Aabb box_of_way(const Aabb& box, const Vec3& motion) {
+  return merge(box, Aabb{box.lower + motion, box.upper + motion});
+}
 
 }  // namespace
 
@@ -95,7 +94,7 @@ double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 *
 
 /// A way so long that it is better to go along it than to look up all around it.
 bool MoverSurroundings::is_long(const Vec3& motion) const {
-  return greatest_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
+  return most_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
 }
 
 std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& position, const Vec3& motion,
@@ -118,14 +117,14 @@ std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing,
   double time = 0;
   for (int round = 0; round < 100; ++round) {
     const double approach = -dot(gap.normal, motion);
-    const bool is_leaving = approach <= std::min(parallel * speed, parallel_share * skin_);
+    const bool is_leaving = approach <= std::min(parallel_slope * speed, parallel_share * skin_);
     const double excess = gap.distance - wanted;
     if (!is_leaving && excess <= tolerance) return time;
     if (gap.normal == Vec3{}) return time;
     if (is_leaving && gap.distance <= 0) return {};
     // So far the plane is known.
     const Vec3 at = position + time * motion;
-    const double extent = std::max(greatest_coordinate(at), greatest_coordinate(gap.point)) + body_.size();
+    const double extent = std::max(most_coordinate(at), most_coordinate(gap.point)) + body_.size();
     const double known = (witness_share * skin_ / witness_error) * (gap.witness / (extent * speed));
     time += is_leaving ? known : std::min(known, excess / approach);
     if (!(time <= limit)) return {};
@@ -157,7 +156,7 @@ double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody:
   const FewCorners& corners = start.corners;
   if (corners.count == 0) return 0;
   const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
-  const double parallel_speed = std::min(parallel * length(motion), parallel_share * skin_);
+  const double parallel_speed = std::min(parallel_slope * length(motion), parallel_share * skin_);
   double free = 0;
   for (std::size_t p = 0; p < thing.planes.count && free <= 1; ++p) {
     const ThingPlanes::Plane& plane = thing.planes.planes[p];
@@ -172,7 +171,7 @@ double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody:
 /// the body over a face first: its distance is told by the face, and what lies in the same plane comes no sooner.
 std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
                                                             std::optional<Index> without) {
-  const Aabb way = widened(swept_box(body_.box_at(position), motion), skin_);
+  const Aabb way = widened(box_of_way(body_.box_at(position), motion), skin_);
   look_around(way);
   const MoverBody::Placed start = body_.placed_at(position);
   const double same = same_time(motion);

@@ -9,7 +9,7 @@ namespace toccata {
 namespace {
 
 /// The part of a vector that is not along `up`.
-Vec3 level_part(const Vec3& v, const Vec3& up) { return v - dot(v, up) * up; }
+Vec3 horizontal_part(const Vec3& v, const Vec3& up) { return v - dot(v, up) * up; }
 
 /// To a walker a change of height costs a millionth of one of place, so that slopes and steps neither slow nor turn it.
 constexpr double walking_height = 0x1p-10;
@@ -26,7 +26,7 @@ Vec3 MoverWalk::allowed(const Vec3& wanted, std::span<const Plane> planes, Footi
     kept.push_back({normal, 0});
     const double height = dot(normal, setting_.up);
     if (height > 0x1p-30 && height < setting_.level_cosine)
-      kept.push_back({normalized(level_part(normal, setting_.up)), 0});
+      kept.push_back({normalized(horizontal_part(normal, setting_.up)), 0});
   }
   const MotionCost cost{setting_.up, footing == Footing::walking ? walking_height : 1};
   return nearest_motion(wanted, kept, cost).value_or(Vec3{});

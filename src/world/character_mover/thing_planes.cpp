@@ -13,7 +13,7 @@ namespace {
 /// roundings of sums of three products, and a normal whose length is off by 2.
 constexpr double height_error = 0x1p-48;
 
-double greatest_coordinate_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double most_of_coordinates(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& normal) {
   double top = -infinity;
@@ -42,12 +42,12 @@ ThingPlanes planes_of(const LevelSet& set) {
   if (thing == nullptr || thing->vertex_count() > 8) return planes;
   planes.radius = thing->radius();
   for (Index i = 0; i < thing->vertex_count(); ++i)
-    planes.extent = std::max(planes.extent, greatest_coordinate_of(thing->vertex(i)));
+    planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
   if (thing->vertex_count() == 3 && faces == 2) {
     add_planes_of_triangle(planes, *thing);
   } else if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) {
-    for (Index face = 0; face < faces; ++face) add_plane(planes, *thing, face_normal(*thing, face));
+    for (Index face = 0; face < faces; ++face) add_plane(planes, *thing, normal_of_face(*thing, face));
   }
   for (std::size_t i = 0; i < planes.count; ++i)
     if (planes.planes[i].normal == Vec3{}) planes.count = 0;
