@@ -47,5 +47,6 @@
 #include "toccata/shapes/shape.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/world/body.hpp"
+#include "toccata/world/character_mover.hpp"
 #include "toccata/world/world.hpp"
 #include "toccata/world/world_queries.hpp"

@@ -94,6 +94,9 @@ class ObjectQueries {
   /// The tree over the boxes of the objects, by index.
   [[nodiscard]] const BoxBvh& boxes() const { return boxes_; }
 
+  /// For the library itself.
+  [[nodiscard]] const Objects& objects() const { return objects_; }
+
  protected:
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "query/ask.hpp"
+#include "toccata/query/penetration.hpp"
+#include "world/character_mover/mover_walk.hpp"
+
+namespace toccata {
+namespace {
+
+/// More rounds than any way out takes that there is.
+constexpr int most_recovery_rounds = 16;
+
+bool are_overlapping(std::span<const NearThing> near) {
+  return std::any_of(near.begin(), near.end(), [](const NearThing& thing) { return thing.gap.distance <= 0; });
+}
+
+}  // namespace
+
+/// The least motion after which all things that are too near are as far as the skin, judged by the planes across the
+/// shortest ways to them, and that goes into none of what is in its way.
+std::optional<Vec3> MoverWalk::way_out(std::span<const NearThing> near, std::span<const Plane> blocking) const {
+  std::vector<MotionPlane> planes;
+  for (const NearThing& thing : near) planes.push_back({thing.gap.normal, setting_.skin - thing.gap.distance});
+  for (const Plane& plane : blocking)
+    if (plane.gap.distance >= setting_.too_near()) planes.push_back({plane.gap.normal, 0});
+  return nearest_motion({}, planes);
+}
+
+/// A body within a solid mesh leaves it by the shortest way that is told.
+std::optional<Vec3> MoverWalk::out_of_solid(const Vec3& position, const SearchedObjects& objects) {
+  const auto holder = around_.holder_of(position);
+  if (!holder) return {};
+  const Model& body = around_.body().model();
+  const InstanceView at = objects.at(holder->object);
+  const Model& mesh = holder->mesh.model();
+  if (!is_defined(ShapeQuestion::penetration, body, mesh) || !taken_as_solid(body, Solid::automatic)) return {};
+  const PairQuery query{around_.body().pose_at(position), holder->mesh.pose(), Solid::automatic, at.solid};
+  const Penetration depth = penetration(body, mesh, query);
+  if (!(depth.upper > 0)) return {};
+  return position - (depth.upper + setting_.skin) * depth.direction;
+}
+
+RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects& objects) {
+  RecoveredPlace place{position};
+  if (const auto outside = out_of_solid(position, objects)) place.position = *outside;
+  std::vector<Plane> blocking;
+  std::vector<NearThing> near = around_.things_within(place.position, setting_.too_near());
+  for (int round = 0; round < most_recovery_rounds && !near.empty(); ++round) {
+    for (Plane& plane : blocking) plane.gap = around_.body().gap_at(place.position, plane.thing);
+    const std::optional<Vec3> motion = way_out(near, blocking);
+    if (!motion || *motion == Vec3{}) break;
+    const auto met = around_.first_meeting(place.position, *motion);
+    if (met) blocking.push_back({met->thing, met->gap});
+    place.position += (met ? met->time : 1) * *motion;
+    near = around_.things_within(place.position, setting_.too_near());
+  }
+  place.stuck = are_overlapping(near) || around_.holder_of(place.position).has_value();
+  place.tight = !near.empty();
+  return place;
+}
+
+}  // namespace toccata

@@ -1,0 +1,241 @@
+#include "world/character_mover/mover_surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <tuple>
+
+#include "query/casts/swept_view.hpp"
+#include "query/meshes/world_search.hpp"
+#include "query/relation/relation_locality.hpp"
+#include "world/character_mover/level_parts.hpp"
+
+namespace toccata {
+namespace {
+
+/// Witness points are off by no more than this times the greatest coordinate (convex_convex.hpp).
+constexpr double witness_error = 1e-12;
+
+/// A motion within this of parallel to a plane does not go into it, as long as it is by less than this of the skin.
+constexpr double parallel_slope = 0x1p-36, parallel_share = 0x1p-9;
+
+/// How much of the skin the planes that tell a distance may be wrong by at most.
+constexpr double witness_share = 0x1p-8;
+
+double most_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+Aabb box_of_way(const Aabb& box, const Vec3& motion) {
+  return merge(box, Aabb{box.lower + motion, box.upper + motion});
+}
+
+}  // namespace
+
+void MoverSurroundings::look_around(const Aabb& box) {
+  if (!is_empty(region_) && contains(region_, box)) return;
+  const Aabb both = is_empty(region_) ? box : merge(region_, box);
+  region_ = is_long(both.upper - both.lower) ? box : both;
+  gather();
+}
+
+void MoverSurroundings::gather() {
+  elements_.clear();
+  solids_.clear();
+  std::vector<Index> near;
+  objects_.tree.visit_overlapping(region_, [&](Index object) {
+    if (objects_.accepts(object)) near.push_back(object);
+    return true;
+  });
+  std::sort(near.begin(), near.end());
+  for (const Index object : near) gather_object(object);
+}
+
+void MoverSurroundings::gather_object(Index object) {
+  std::vector<Index> triangles;
+  for (const PosedPart& part : level_parts(objects_, object)) {
+    if (const auto* mesh = std::get_if<PosedTriangles>(&part.shape)) {
+      triangles.clear();
+      visit_triangles_near(mesh->mesh, region_, [&](Index i) {
+        triangles.push_back(i);
+        return true;
+      });
+      std::sort(triangles.begin(), triangles.end());
+      elements_.reserve(elements_.size() + triangles.size());
+      for (const Index i : triangles) elements_.push_back(element_of(mesh->mesh, i, part.first_element, object));
+      if (mesh->solid) solids_.push_back({object, mesh->mesh});
+    } else if (overlap(world_box(part.shape), region_)) {
+      elements_.push_back(element_of(part, object));
+    }
+  }
+}
+
+std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
+  const Aabb box = widened(body_.box_at(position), distance);
+  look_around(box);
+  const MoverBody::Placed placed = body_.placed_at(position);
+  std::vector<NearThing> near;
+  for (const LevelElement& element : elements_) {
+    if (!overlap(element.box, box)) continue;
+    if (body_.bound_of(placed, element, distance).distance > distance) continue;
+    const MoverGap gap = body_.gap_of(placed, element);
+    if (gap.distance <= distance) near.push_back({gap, &element});
+  }
+  return near;
+}
+
+std::optional<MoverSurroundings::Holder> MoverSurroundings::holder_of(const Vec3& position) {
+  look_around(body_.box_at(position));
+  const Vec3 point = body_.point_at(position);
+  for (const Holder& solid : solids_)
+    if (overlap(solid.mesh.box(), Aabb{point, point}) && is_interior(point, solid.mesh)) return solid;
+  return {};
+}
+
+double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 * skin_ / length(motion); }
+
+/// A way so long that it is better to go along it than to look up all around it.
+bool MoverSurroundings::is_long(const Vec3& motion) const {
+  return most_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
+}
+
+std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& position, const Vec3& motion,
+                                                             std::optional<Index> without) {
+  if (motion == Vec3{}) return {};
+  return is_long(motion) ? first_far_on(position, motion, without) : first_around(position, motion, without);
+}
+
+/// When the body comes as near as it may, by conservative advancement (B. V. Mirtich, "Impulse-based dynamic simulation
+/// of rigid body systems", 1996): the plane across the shortest way between two convex things bounds how soon they can
+/// be nearer. Along a straight way the distance is a convex function of time, so these are the steps of Newton's method
+/// from the left, which never pass the first root.
+std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
+                                                      const Vec3& motion, double limit) const {
+  const Vec3& position = start.position;
+  const double speed = length(motion);
+  const double tolerance = 0x1p-28 * skin_;
+  MoverGap gap = body_.gap_of(start, thing);
+  const double wanted = std::min(least_gap_, gap.distance);
+  double time = 0;
+  for (int round = 0; round < 100; ++round) {
+    const double approach = -dot(gap.normal, motion);
+    const bool is_leaving = approach <= std::min(parallel_slope * speed, parallel_share * skin_);
+    const double excess = gap.distance - wanted;
+    if (!is_leaving && excess <= tolerance) return time;
+    if (gap.normal == Vec3{}) return time;
+    if (is_leaving && gap.distance <= 0) return {};
+    // So far the plane is known.
+    const Vec3 at = position + time * motion;
+    const double extent = std::max(most_coordinate(at), most_coordinate(gap.point)) + body_.size();
+    const double known = (witness_share * skin_ / witness_error) * (gap.witness / (extent * speed));
+    time += is_leaving ? known : std::min(known, excess / approach);
+    if (!(time <= limit)) return {};
+    gap = body_.gap_at(position + time * motion, thing);
+  }
+  return time;
+}
+
+/// Of what is met at a time, the nearest then: of several elements that lie in one plane that over which the body is.
+/// So an edge between two of them is no obstacle.
+std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> met, double time, const Vec3& position,
+                                                          const Vec3& motion) const {
+  std::optional<MoverMeeting> nearest;
+  for (const Met& one : met) {
+    if (one.time > time + same_time(motion)) continue;
+    const MoverGap gap = body_.gap_at(position + time * motion, *one.thing);
+    const auto rank = [](const MoverGap& g, const LevelElement& e) {
+      return std::tuple(g.distance, e.object, e.element);
+    };
+    if (!nearest || rank(gap, *one.thing) < rank(nearest->gap, nearest->thing))
+      nearest = MoverMeeting{time, gap, *one.thing};
+  }
+  return nearest;
+}
+
+/// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
+double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
+                                     const Vec3& motion) const {
+  const FewCorners& corners = start.corners;
+  if (corners.count == 0) return 0;
+  const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
+  const double parallel_speed = std::min(parallel_slope * length(motion), parallel_share * skin_);
+  double free = 0;
+  for (std::size_t p = 0; p < thing.planes.count && free <= 1; ++p) {
+    const ThingPlanes::Plane& plane = thing.planes.planes[p];
+    const double excess = corners.lowest_along(plane.normal) - plane.top - taken;
+    const double approach = -dot(plane.normal, motion);
+    if (excess >= 0) free = std::max(free, approach <= parallel_speed ? 2 : excess / approach);
+  }
+  return free;
+}
+
+/// What the planes of the faces leave is looked at in the order of the times that they tell, and what has a vertex of
+/// the body over a face first: its distance is told by the face, and what lies in the same plane comes no sooner.
+std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) {
+  const Aabb way = widened(box_of_way(body_.box_at(position), motion), skin_);
+  look_around(way);
+  const MoverBody::Placed start = body_.placed_at(position);
+  const double same = same_time(motion);
+  std::vector<Waiting> waiting;
+  for (const LevelElement& element : elements_) {
+    if (element.object == without || !overlap(element.box, way)) continue;
+    const double time = free_until(element, start, motion);
+    if (time > 1) continue;
+    const MoverBody::Placed then = body_.placed_at(position + time * motion);
+    waiting.push_back({!body_.bound_of(then, element).planes.is_exact, time, &element});
+  }
+  std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tie(a.is_slow, a.time) < std::tie(b.is_slow, b.time);
+  });
+  std::vector<Met> met;
+  double first = 1;
+  for (const Waiting& next : waiting) {
+    if (!met.empty() && next.is_slow && next.time >= first - same) continue;
+    const auto time = meeting_time(*next.thing, start, motion, std::min(1.0, first + same));
+    if (!time) continue;
+    met.push_back({*time, next.thing});
+    first = std::min(first, *time);
+  }
+  return nearest_of(met, first, position, motion);
+}
+
+std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) const {
+  const Aabb box = widened(body_.box_at(position), skin_);
+  const Vec3 half = 0.5 * (box.upper - box.lower);
+  const PosedPolytope moving(Box(half + 0x1p-20 * half, 0.5 * (box.lower + box.upper)));
+  const MoverBody::Placed start = body_.placed_at(position);
+  std::deque<LevelElement> seen;  // what is in it stays where it is
+  std::vector<Met> met;
+  double first = 1;
+  const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
+  const auto look_at = [&](LevelElement element) {
+    if (!(free_until(element, start, motion) <= limit())) return limit();
+    const auto time = meeting_time(element, start, motion, limit());
+    if (!time) return limit();
+    seen.push_back(std::move(element));
+    met.push_back({*time, &seen.back()});
+    first = std::min(first, *time);
+    return limit();
+  };
+  SweptFrontier frontier;
+  objects_.tree.visit_along(box, motion, 1, [&](Index object) {
+    if (object == without || !objects_.accepts(object)) return limit();
+    for (const PosedPart& part : level_parts(objects_, object)) {
+      const auto* triangles = std::get_if<PosedTriangles>(&part.shape);
+      if (triangles == nullptr) {
+        look_at(element_of(part, object));
+        continue;
+      }
+      const PosedMesh& mesh = triangles->mesh;
+      if (mesh.model().mesh().triangle_count() == 0) continue;
+      const SweptView view(moving, motion, mesh);
+      const SweptWalk walk({nullptr, &mesh.model().wide_bvh()}, view.directions());
+      walk.run(frontier, limit(),
+               [&](ItemPair items) { return look_at(element_of(mesh, items.second, part.first_element, object)); });
+    }
+    return limit();
+  });
+  return nearest_of(met, first, position, motion);
+}
+
+}  // namespace toccata

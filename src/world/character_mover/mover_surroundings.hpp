@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "query/scenes/object_search.hpp"
+#include "world/character_mover/mover_body.hpp"
+
+namespace toccata {
+
+/// Something that a body comes as near to as it may.
+struct MoverMeeting {
+  double time = 0;  ///< the fraction of the way; proved: before it nothing is nearer
+  MoverGap gap;     ///< then
+  LevelElement thing;
+};
+
+/// A thing that a body is near to.
+struct NearThing {
+  MoverGap gap;
+  const LevelElement* thing;  ///< until the surroundings are asked again
+};
+
+/// What of a level is around a body. What was looked up once is kept for the rest of a step.
+class MoverSurroundings {
+ public:
+  /// The body stays `least_gap` from everything, or as far as it was.
+  MoverSurroundings(const SearchedObjects& objects, const MoverBody& body, double skin, double least_gap)
+      : objects_(objects), body_(body), skin_(skin), least_gap_(least_gap) {}
+
+  /// What is in the box will be asked for.
+  void look_around(const Aabb& box);
+
+  /// What is first met on a way; nothing of the object `without`. None: the whole way is proved to be free.
+  [[nodiscard]] std::optional<MoverMeeting> first_meeting(const Vec3& position, const Vec3& motion,
+                                                          std::optional<Index> without = {});
+
+  /// All that is no farther than that, ascending by (object, element).
+  [[nodiscard]] std::vector<NearThing> things_within(const Vec3& position, double distance);
+
+  /// A solid mesh that holds the body's point, by its object, and the mesh at its place; the first.
+  struct Holder {
+    Index object = 0;
+    PosedMesh mesh;
+  };
+  [[nodiscard]] std::optional<Holder> holder_of(const Vec3& position);
+
+  [[nodiscard]] const MoverBody& body() const { return body_; }
+
+ private:
+  struct Met {
+    double time;
+    const LevelElement* thing;
+  };
+  struct Waiting {
+    bool is_slow;
+    double time;  ///< it is not met before
+    const LevelElement* thing;
+  };
+
+  void gather();
+  void gather_object(Index object);
+  [[nodiscard]] bool is_long(const Vec3& motion) const;
+  [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
+                                                         std::optional<Index> without);
+  [[nodiscard]] std::optional<MoverMeeting> first_far_on(const Vec3& position, const Vec3& motion,
+                                                         std::optional<Index> without) const;
+  [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
+                                                       const Vec3& motion) const;
+  [[nodiscard]] std::optional<double> meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
+                                                   const Vec3& motion, double limit) const;
+  [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
+  /// Two times within this are not told apart.
+  [[nodiscard]] double same_time(const Vec3& motion) const;
+
+  const SearchedObjects& objects_;
+  const MoverBody& body_;
+  double skin_;
+  double least_gap_;
+  Aabb region_;  ///< what meets it is in `elements_`
+  std::vector<LevelElement> elements_;
+  std::vector<Holder> solids_;
+};
+
+}  // namespace toccata

@@ -1,0 +1,116 @@
+#include "world/character_mover/mover_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/character_mover/face_normals.hpp"
+
+namespace toccata {
+namespace {
+
+/// The part of a vector that is not along `up`.
+Vec3 horizontal_part(const Vec3& v, const Vec3& up) { return v - dot(v, up) * up; }
+
+/// To a walker a change of height costs a millionth of one of place, so that slopes and steps neither slow nor turn it.
+constexpr double walking_height = 0x1p-10;
+
+}  // namespace
+
+/// The motion that is nearest to the wanted one and goes into no plane. A slope too steep to be walked on is a wall to
+/// what would climb it.
+Vec3 MoverWalk::allowed(const Vec3& wanted, std::span<const Plane> planes, Footing footing) const {
+  std::vector<MotionPlane> kept;
+  for (const Plane& plane : planes) {
+    if (plane.gap.distance > 2 * setting_.skin) continue;
+    const Vec3& normal = plane.gap.normal;
+    kept.push_back({normal, 0});
+    const double height = dot(normal, setting_.up);
+    if (height > 0x1p-30 && height < setting_.level_cosine)
+      kept.push_back({normalized(horizontal_part(normal, setting_.up)), 0});
+  }
+  const MotionCost cost{setting_.up, footing == Footing::walking ? walking_height : 1};
+  return nearest_motion(wanted, kept, cost).value_or(Vec3{});
+}
+
+/// When the thing that is met is as far as the skin: the distance is a convex function of time, so it is not less
+/// before than its slope tells. 0 where that is no more than a hair from the start.
+double MoverWalk::time_at_skin(const MoverMeeting& met, const Vec3& motion) const {
+  const double approach = -dot(met.gap.normal, motion);
+  const double missing = setting_.skin - met.gap.distance;
+  const double time = missing > 0 ? (approach > 0 ? met.time - missing / approach : 0) : met.time;
+  return time * length(motion) > 0x1p-8 * setting_.skin ? time : 0;
+}
+
+SlideEnd MoverWalk::slide(const Vec3& position, const Vec3& wanted, Footing footing, std::optional<Index> without) {
+  SlideEnd end{position, {}};
+  std::vector<Plane> planes;
+  Vec3 rest = wanted;
+  for (int bend = 0; bend <= setting_.max_slides; ++bend) {
+    const Vec3 motion = allowed(rest, planes, footing);
+    if (!(length(motion) > 0x1p-40 * length(wanted))) break;
+    const std::optional<MoverMeeting> met = around_.first_meeting(end.position, motion, without);
+    if (!met) {
+      end.position += motion;
+      break;
+    }
+    const double time = time_at_skin(*met, motion);
+    end.position += time * motion;
+    rest = (1 - time) * rest;
+    for (Plane& plane : planes) plane.gap = around_.body().gap_at(end.position, plane.thing);
+    planes.push_back({met->thing, met->gap});
+    end.contacts.push_back({met->thing.object, met->thing.element, met->gap.point, met->gap.normal});
+  }
+  return end;
+}
+
+std::optional<Vec3> MoverWalk::stopped(const Vec3& position, const Vec3& motion) {
+  const std::optional<MoverMeeting> met = around_.first_meeting(position, motion);
+  if (!met) return {};
+  return position + time_at_skin(*met, motion) * motion;
+}
+
+/// On the edge of something that could be walked on, no higher above the lowest point than a step: so stairs are ground
+/// to a round foot.
+bool MoverWalk::stands_on_edge(const NearThing& near, const Vec3& position) const {
+  const Vec3& up = setting_.up;
+  if (!(dot(near.gap.normal, up) > 0x1p-6)) return false;
+  const double lowest = dot(position, up) - depth_below_;
+  if (!(dot(near.gap.point, up) - lowest <= setting_.step_height)) return false;
+  const std::vector<Vec3> normals = face_normals_at(near.thing->set, near.gap.point, near.gap.normal, setting_.skin);
+  return std::any_of(normals.begin(), normals.end(), [&](const Vec3& normal) { return is_walkable(normal); });
+}
+
+std::optional<WalkContact> MoverWalk::ground_at(const Vec3& position) {
+  std::optional<WalkContact> ground;
+  double steepness = 0;
+  for (const NearThing& near : around_.things_within(position, 1.125 * setting_.skin)) {
+    const double level = dot(near.gap.normal, setting_.up);
+    if (ground && level <= steepness) continue;
+    if (!is_walkable(near.gap.normal) && !stands_on_edge(near, position)) continue;
+    ground = WalkContact{near.thing->object, near.thing->element, near.gap.point, near.gap.normal};
+    steepness = level;
+  }
+  return ground;
+}
+
+std::optional<SlideEnd> MoverWalk::step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat) {
+  const Vec3& up = setting_.up;
+  const double skin = setting_.skin;
+  const Vec3 rise = setting_.step_height * up;
+  const Vec3 top = stopped(position, rise).value_or(position + rise);
+  const double risen = dot(top - position, up);
+  if (!(risen > skin)) return {};
+  SlideEnd end = slide(top, motion, Footing::walking);
+  const double ahead = dot(end.position - flat.position, motion);
+  if (!(ahead > 0x1p-8 * skin * length(motion))) return {};
+  const auto landing = stopped(end.position, -(dot(end.position - position, up) + skin) * up);
+  if (!landing) return {};
+  end.position = *landing;
+  const auto ground = ground_at(end.position);
+  // What it stands on is the skin below it; a step may be as high as that is exact.
+  const double floor = dot(position, up) - depth_below_ - skin;
+  const bool is_step = ground && dot(ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
+  return is_step ? std::optional(end) : std::nullopt;
+}
+
+}  // namespace toccata

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "world/character_mover/motion_planes.hpp"
+#include "world/character_mover/mover_surroundings.hpp"
+
+namespace toccata {
+
+/// The options of a mover, checked, and what follows from them.
+struct MoverSetting {
+  Vec3 up;  ///< unit
+  double skin;
+  double level_cosine;  ///< of the greatest slope
+  double step_height;
+  double snap_distance;
+  int max_slides;
+
+  /// Nothing is approached nearer than this: a 16th less than the skin, so that what stays at the skin meets nothing on
+  /// a way beside it, however its position is rounded.
+  [[nodiscard]] double least_gap() const { return 0.9375 * skin; }
+  /// What is nearer is moved away from.
+  [[nodiscard]] double too_near() const { return 0.90625 * skin; }
+};
+
+/// Something met on the way.
+struct WalkContact {
+  Index object = 0;
+  Index element = 0;
+  Vec3 point{};
+  Vec3 normal{};
+};
+
+/// Where a way ended that slides along what it meets.
+struct SlideEnd {
+  Vec3 position;
+  std::vector<WalkContact> contacts;
+};
+
+/// Which motions are nearest to those wanted: to a walker the level part alone counts.
+enum class Footing { walking, free };
+
+/// How a character comes out of what it begins in.
+struct RecoveredPlace {
+  Vec3 position;
+  bool tight = false;
+  bool stuck = false;
+};
+
+/// The parts that a step is made of.
+class MoverWalk {
+ public:
+  MoverWalk(MoverSurroundings& around, const MoverSetting& setting)
+      : around_(around), setting_(setting), depth_below_(around.body().depth_below(setting.up)) {}
+
+  /// Away from what is nearer than the skin, if there is a way out.
+  [[nodiscard]] RecoveredPlace recovered(const Vec3& position, const SearchedObjects& objects);
+
+  /// As far as it goes, along what is met.
+  [[nodiscard]] SlideEnd slide(const Vec3& position, const Vec3& wanted, Footing footing,
+                               std::optional<Index> without = {});
+
+  /// Up, on and down again, where that leads farther on than `flat`; the motion is level.
+  [[nodiscard]] std::optional<SlideEnd> step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat);
+
+  /// What the body stands on, where it is.
+  [[nodiscard]] std::optional<WalkContact> ground_at(const Vec3& position);
+
+  /// Straight on until the skin of what is met; none if nothing is.
+  [[nodiscard]] std::optional<Vec3> stopped(const Vec3& position, const Vec3& motion);
+
+  [[nodiscard]] bool is_walkable(const Vec3& normal) const { return dot(normal, setting_.up) >= setting_.level_cosine; }
+
+ private:
+  struct Plane {
+    LevelElement thing;
+    MoverGap gap;
+  };
+
+  [[nodiscard]] Vec3 allowed(const Vec3& wanted, std::span<const Plane> planes, Footing footing) const;
+  [[nodiscard]] double time_at_skin(const MoverMeeting& met, const Vec3& motion) const;
+  [[nodiscard]] bool stands_on_edge(const NearThing& near, const Vec3& position) const;
+  [[nodiscard]] std::optional<Vec3> way_out(std::span<const NearThing> near, std::span<const Plane> blocking) const;
+  [[nodiscard]] std::optional<Vec3> out_of_solid(const Vec3& position, const SearchedObjects& objects);
+
+  MoverSurroundings& around_;
+  const MoverSetting& setting_;
+  double depth_below_;
+};
+
+}  // namespace toccata

@@ -1,0 +1,88 @@
+#include "world/character_mover/thing_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/constants.hpp"
+#include "world/character_mover/face_normals.hpp"
+
+namespace toccata {
+namespace {
+
+/// More than a height along a unit normal, and the difference of two, is off by for coordinates no greater than 1: 4
+/// roundings of sums of three products, and a normal whose length is off by 2.
+constexpr double height_error = 0x1p-48;
+
+double most_of_coordinates(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& normal) {
+  double top = -infinity;
+  for (Index i = 0; i < thing.vertex_count(); ++i) top = std::max(top, dot(normal, thing.vertex(i)));
+  planes.planes[planes.count++] = {normal, top};
+}
+
+void add_planes_of_triangle(ThingPlanes& planes, const PosedPolytope& t) {
+  const Vec3 normal = normalized(cross(t.vertex(1) - t.vertex(0), t.vertex(2) - t.vertex(0)));
+  add_plane(planes, t, normal);
+  add_plane(planes, t, -normal);
+  for (Index i = 0; i < 3; ++i) add_plane(planes, t, normalized(cross(t.vertex((i + 1) % 3) - t.vertex(i), normal)));
+}
+
+bool is_over_the_rest(const Vec3& foot, const ThingPlanes& planes, std::size_t face, double slack) {
+  for (std::size_t i = 0; i < planes.count; ++i)
+    if (i != face && dot(planes.planes[i].normal, foot) > planes.planes[i].top + slack) return false;
+  return true;
+}
+
+}  // namespace
+
+ThingPlanes planes_of(const LevelSet& set) {
+  ThingPlanes planes;
+  const auto* thing = std::get_if<PosedPolytope>(&set);
+  if (thing == nullptr || thing->vertex_count() > 8) return planes;
+  planes.radius = thing->radius();
+  for (Index i = 0; i < thing->vertex_count(); ++i)
+    planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
+  const Index faces = thing->topology().face_count();
+  if (thing->vertex_count() == 3 && faces == 2) {
+    add_planes_of_triangle(planes, *thing);
+  } else if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) {
+    for (Index face = 0; face < faces; ++face) add_plane(planes, *thing, normal_of_face(*thing, face));
+  }
+  for (std::size_t i = 0; i < planes.count; ++i)
+    if (planes.planes[i].normal == Vec3{}) planes.count = 0;
+  return planes;
+}
+
+double FewCorners::lowest_along(const Vec3& direction) const {
+  double lowest = infinity;
+  for (std::size_t i = 0; i < count; ++i) lowest = std::min(lowest, dot(direction, corners[i]));
+  return lowest;
+}
+
+double height_slack(const FewCorners& above, const ThingPlanes& planes) {
+  return height_error * std::max(above.extent, planes.extent);
+}
+
+PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {
+  PlaneGap best{-infinity};
+  if (above.count == 0) return best;
+  const double slack = height_slack(above, planes);
+  std::size_t face = 0;
+  for (std::size_t p = 0; p < planes.count && best.distance < enough; ++p) {
+    const ThingPlanes::Plane& plane = planes.planes[p];
+    const double gap = above.lowest_along(plane.normal) - plane.top - slack;
+    if (!(gap > best.distance)) continue;
+    best = {gap, plane.normal};
+    face = p;
+  }
+  if (!(best.distance > 0)) return best;
+  for (std::size_t i = 0; i < above.count && !best.is_exact; ++i) {
+    const double height = dot(best.normal, above.corners[i]) - planes.planes[face].top;
+    best.foot = above.corners[i] - height * best.normal;
+    best.is_exact = height <= best.distance + 3 * slack && is_over_the_rest(best.foot, planes, face, slack);
+  }
+  return best;
+}
+
+}  // namespace toccata

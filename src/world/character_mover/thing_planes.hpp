@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <variant>
+
+#include "query/posed_shape.hpp"
+
+namespace toccata {
+
+/// A convex thing of the level: an object, a part of one, or a triangle of it.
+using LevelSet = std::variant<PosedPolytope, PosedHalfSpace, PosedQuadric>;
+
+/// The planes of the faces of a small polytope, and of a triangle those through its edges too: it lies below all of
+/// them.
+struct ThingPlanes {
+  struct Plane {
+    Vec3 normal;     ///< unit
+    double top = 0;  ///< no vertex is higher along it, but for rounding
+  };
+  static constexpr std::size_t most = 8;
+
+  std::array<Plane, most> planes{};
+  std::size_t count = 0;  ///< 0: of other sets, and of what is flat
+  double extent = 0;      ///< the greatest coordinate
+  double radius = 0;      ///< of a ball by which the polytope is grown
+};
+
+[[nodiscard]] ThingPlanes planes_of(const LevelSet& set);
+
+/// The vertices of a polytope of at most eight; of others none.
+struct FewCorners {
+  std::array<Vec3, 8> corners{};
+  std::size_t count = 0;
+  double extent = 0;  ///< the greatest coordinate
+
+  [[nodiscard]] double lowest_along(const Vec3& direction) const;
+};
+
+/// How far a polytope is from a thing, by the plane that separates the two the most.
+struct PlaneGap {
+  double distance = 0;    ///< no more than the true one, of the two without radii; −∞ where nothing is known
+  Vec3 normal{};          ///< of that plane
+  bool is_exact = false;  ///< it is the distance but for rounding: a lowest vertex is over the face
+  Vec3 foot{};            ///< then, where on it
+};
+
+/// What heights along the normals of planes may be off by.
+[[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
+
+/// By the first plane that is `enough`, or else the best.
+[[nodiscard]] PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes,
+                                 double enough = std::numeric_limits<double>::infinity());
+
+}  // namespace toccata
