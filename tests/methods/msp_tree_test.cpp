@@ -232,24 +232,24 @@ TEST(MspTree, OfABallIsNoChainInAnyDimension) {
   EXPECT_LT(s.depth, 70U);
 }
 
-std::string error_of(const TriangleMesh& mesh, const BspOptions& options = {}) {
+std::string msp_error_of(const TriangleMesh& mesh, const BspOptions& options = {}) {
   return test::message_of([&] { static_cast<void>(MspTree(Model(mesh), options)); });
 }
 
 TEST(MspTree, RefusesWhatIsNoSolidAndSaysWhy) {
-  EXPECT_NE(error_of(oracle::single_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})).find("this one is open: 3 edges"),
+  EXPECT_NE(msp_error_of(oracle::single_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})).find("this one is open: 3 edges"),
             std::string::npos);
   const TriangleMesh crossing =
       oracle::joined(test::box_between({0, 0, 0}, {2, 2, 2}), test::box_between({1, 1, 1}, {3, 3, 3}));
-  EXPECT_NE(error_of(crossing).find("and this one does: "), std::string::npos);
-  EXPECT_NE(error_of(test::box_between({0, 0, 0}, {1, 1, 1}), {.candidates = 0}), "");
+  EXPECT_NE(msp_error_of(crossing).find("and this one does: "), std::string::npos);
+  EXPECT_NE(msp_error_of(test::box_between({0, 0, 0}, {1, 1, 1}), {.candidates = 0}), "");
 }
 
 TEST(MspTree, RefusesPointsThatAreNotFiniteAndGivesUpWhereItWouldGrowTooMuch) {
   const MspTree tree(Model(test::box_between({0, 0, 0}, {1, 1, 1})));
   EXPECT_THROW(static_cast<void>(tree.locate({std::numeric_limits<double>::infinity(), 0, 0})), Error);
   EXPECT_THROW(static_cast<void>(tree.locate({0, std::numeric_limits<double>::quiet_NaN(), 0})), Error);
-  EXPECT_NE(error_of(generated("gen:torus-knot"), {.max_growth = 1.5}).find("more than 1.5 times as many"),
+  EXPECT_NE(msp_error_of(generated("gen:torus-knot"), {.max_growth = 1.5}).find("more than 1.5 times as many"),
             std::string::npos);
 }
 

@@ -118,7 +118,7 @@ void fill(std::string_view family, std::vector<SceneInstance>& models, MoverLeve
   if (family == "flat" || family == "wedge") add_floor(models, 10, random);
   if (family == "wedge") add_wedges(models, random);
   if (family == "shapes") add_shapes(models, random);
-  if (family == "soup") models.push_back(placed(Model(random_soup(random, 300, 0.2, 0)), scaled({}, 8)));
+  if (family == "soup") models.push_back(placed(Model(random_soup(random, 300, 0.2, 0)), toccata::scaled(Pose{}, 8)));
   if (family == "terrain") models.push_back(placed(Model(random_terrain(random)), Pose::translation(-12, -12, 0)));
   if (family == "stairs") {
     add_floor(models, 10, random);
@@ -194,7 +194,7 @@ MoverLevelCase random_level(std::string_view family, Random& random) {
   std::vector<SceneInstance> models;
   if (family == "env") {
     const auto data = data_folder();
-    if (data) models.push_back(placed(load_model((*data / "meshes/env.obj").string()), scaled({}, 0.02)));
+    if (data) models.push_back(placed(load_model((*data / "meshes/env.obj").string()), toccata::scaled(Pose{}, 0.02)));
   } else {
     fill(family, models, made, random);
   }
