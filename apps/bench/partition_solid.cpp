@@ -51,8 +51,7 @@ struct PlacedShape {
 class SolidQuestions {
  public:
   SolidQuestions(const Model& model, const PartitionsArguments& arguments)
-      : model_(model),
-        box_(model.bounds()),
+      : box_(model.bounds()),
         random_(arguments.seed),
         count_(arguments.queries),
         rounds_(arguments.rounds),
@@ -123,7 +122,6 @@ class SolidQuestions {
     return p;
   }
 
-  const Model& model_;
   Aabb box_;
   Random random_;
   std::size_t count_;
