@@ -60,7 +60,8 @@ Json rows_of_gaps() {
     for (const double gap : gaps) {
       const Scene close = scene.at_gap(gap);
       const SceneObject &a = close.objects[0], &b = close.objects[1];
-      const PairQuery query{a.pose, b.pose};
+      const PairQuery query{a.pose, b.pose, Solid::none, Solid::none};
+      const bool meet = overlap(Model(*a.mesh()), Model(*b.mesh()), query);
       for (const CostRow& row : measure_costs(*a.mesh(), *b.mesh(), std::span(&query, 1), proximity_options()).rows)
         rows.push_back({{"scene", scene.name},
                         {"triangles", a.mesh()->triangle_count() + b.mesh()->triangle_count()},
@@ -68,7 +69,8 @@ Json rows_of_gaps() {
                         {"volume", name_of(row.volume)},
                         {"N_bv", row.counts.volume_tests},
                         {"N_p", row.counts.items},
-                        {"microseconds", 1e-3 * row.measured_ns}});
+                        {"microseconds", 1e-3 * row.measured_ns},
+                        {"wrong", meet}});
     }
   return rows;
 }
@@ -125,15 +127,16 @@ Json rows_of_sizes(const ProximityArguments& arguments) {
     const TriangleMesh b(std::move(moved), {a.triangles().begin(), a.triangles().end()});
     const PairQuery as_surfaces{{}, {}, Solid::none, Solid::none};
     const Model model_a(a), model_b(b);
-    bool meets = false;
-    const double all_pairs = least_us(arguments.rounds, [&] { meets = overlap_by_all_pairs(a, b); });
-    const double built = least_us(arguments.rounds, [&] { meets ^= overlap(Model(a), Model(b), as_surfaces); });
-    const double kept = least_us(arguments.rounds, [&] { meets ^= overlap(model_a, model_b, as_surfaces); });
+    bool by_all = false, by_built = false, by_kept = false;
+    const double all_pairs = least_us(arguments.rounds, [&] { by_all = overlap_by_all_pairs(a, b); });
+    const double built = least_us(arguments.rounds, [&] { by_built = overlap(Model(a), Model(b), as_surfaces); });
+    const double kept = least_us(arguments.rounds, [&] { by_kept = overlap(model_a, model_b, as_surfaces); });
     rows.push_back({{"triangles", a.triangle_count()},
                     {"all_pairs_us", all_pairs},
                     {"built_us", built},
                     {"kept_us", kept},
-                    {"meet", meets}});
+                    {"meet", by_all},
+                    {"wrong", by_built != by_all || by_kept != by_all}});
   }
   return rows;
 }
@@ -152,6 +155,7 @@ void print_sizes(const Json& rows) {
 int run_proximity(const ProximityArguments& arguments) {
   const bool of_gaps = arguments.task == "gap";
   Json rows = of_gaps ? rows_of_gaps() : rows_of_sizes(arguments);
+  const bool is_wrong = std::ranges::any_of(rows, [](const Json& row) { return row["wrong"].get<bool>(); });
   if (arguments.json) {
     Json report = report_of("proximity", {{"task", arguments.task}});
     report["results"] = std::move(rows);
@@ -161,7 +165,7 @@ int run_proximity(const ProximityArguments& arguments) {
   } else {
     print_sizes(rows);
   }
-  return 0;
+  return is_wrong ? 1 : 0;
 }
 
 }  // namespace toccata::bench

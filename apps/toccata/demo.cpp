@@ -147,6 +147,12 @@ int show_mould(const DemoArguments& arguments) {
   return 0;
 }
 
+/// An option of one scene is no option of another.
+void require_scene(const CLI::Option& option, const DemoArguments& arguments, const std::string& scene) {
+  if (option.count() > 0 && arguments.scene != scene)
+    throw Error(fmt::format("{} is an option of demo {}", option.get_name(), scene));
+}
+
 int run_demo(const DemoArguments& arguments) {
   if (arguments.scene == "cloth") return show_cloth(arguments);
   if (arguments.scene == "mould") return show_mould(arguments);
@@ -158,23 +164,20 @@ int run_demo(const DemoArguments& arguments) {
 Subcommand add_demo(CLI::App& app) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* demo = app.add_subcommand("demo", "the main job on generated scenes, no file needed");
-  CLI::Option* scene =
-      demo->add_option("scene", arguments->scene,
-                       "cloth: a cloth that falls, step by step; mould: a mesh in the hole that it leaves in a wall; "
-                       "else all scenes at rest")
-          ->check(CLI::IsMember({"cloth", "mould"}));
-  demo->add_option("--steps", arguments->steps, "of the cloth")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str()
-      ->needs(scene);
+  demo->add_option("scene", arguments->scene,
+                   "cloth: a cloth that falls, step by step; mould: a mesh in the hole that it leaves in a wall; "
+                   "else all scenes at rest")
+      ->check(CLI::IsMember({"cloth", "mould"}));
+  const CLI::Option* steps = demo->add_option("--steps", arguments->steps, "of the cloth")
+                                 ->check(CLI::Range(1, 1'000'000))
+                                 ->capture_default_str();
   arguments->mesh = "gen:noise-sphere";
-  demo->add_option("--mesh", arguments->mesh, "of the mould: a file, or a generated mesh")
-      ->capture_default_str()
-      ->needs(scene);
-  demo->add_option("--factor", arguments->factor, "scales the mesh in its mould about the middle of its box: try 0.999")
-      ->check(CLI::Range(1e-3, 1e3))
-      ->capture_default_str()
-      ->needs(scene);
+  const CLI::Option* mesh =
+      demo->add_option("--mesh", arguments->mesh, "of the mould: a file, or a generated mesh")->capture_default_str();
+  const CLI::Option* factor = demo->add_option("--factor", arguments->factor,
+                                               "scales the mesh in its mould about the middle of its box: try 0.999")
+                                  ->check(CLI::Range(1e-3, 1e3))
+                                  ->capture_default_str();
   add_text(*demo, "--write", arguments->write_folder,
            "write the scenes as files to play with, the cloth as it lies at last, or the mould, into this folder",
            "a folder must be named");
@@ -183,7 +186,12 @@ Subcommand add_demo(CLI::App& app) {
   demo->footer(
       with_name("Example:\n  {0} demo\n  {0} demo --write scenes\n  {0} demo cloth\n"
                 "  {0} demo mould --mesh part.stl --factor 0.999"));
-  return {demo, [arguments] { return run_demo(*arguments); }};
+  return {demo, [arguments, steps, mesh, factor] {
+            require_scene(*steps, *arguments, "cloth");
+            require_scene(*mesh, *arguments, "mould");
+            require_scene(*factor, *arguments, "mould");
+            return run_demo(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

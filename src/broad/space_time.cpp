@@ -29,6 +29,9 @@ void require_motion(const SpaceTimeMotion& motion) {
   require(motion.max_acceleration, 0, "max_acceleration");
 }
 
+/// What a rate makes of a time, which may be infinite.
+double in_time(double time, double rate) { return rate == 0 ? 0 : time * rate; }
+
 /// A gap that closes: it is at least gap − closing · t − acceleration · t² / 2 at every time t from 0.
 struct ClosingGap {
   double gap = 0;
@@ -91,14 +94,14 @@ ClosingGap gap_at(double time, const SpaceTimeBall& a, const SpaceTimeBall& b) {
 
 double greatest_error(const SpaceTimeMotion& motion, double time) {
   // Four roundings; what underflows is no more than the smallest doubles.
-  return (motion.position_error + time * (motion.velocity_error + 0.5 * time * motion.max_acceleration)) *
+  return (motion.position_error + in_time(time, motion.velocity_error + 0.5 * in_time(time, motion.max_acceleration))) *
              (1 + 0x1p-50) +
          0x1p-1000;
 }
 
 SpaceTimeMotion seen_later(const SpaceTimeMotion& motion, double time) {
   return {motion.velocity, 2 * greatest_error(motion, time),
-          (motion.velocity_error + time * motion.max_acceleration) * (1 + 0x1p-51), motion.max_acceleration};
+          (motion.velocity_error + in_time(time, motion.max_acceleration)) * (1 + 0x1p-51), motion.max_acceleration};
 }
 
 double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b) {
@@ -130,11 +133,13 @@ double earliest_meeting(const SpaceTimeBall& a, const SpaceTimeBall& b) {
 
 Aabb box_until(const SpaceTimeBox& body, double until) {
   require_motion(body.motion);
+  if (!(until >= 0))
+    throw Error(fmt::format("a time until which a body is to be held is {}; it has to be 0 or more", until));
   if (is_empty(body.box)) return body.box;
   const double error = greatest_error(body.motion, until);
   Aabb around;
   for (int axis = 0; axis < 3; ++axis) {
-    const double way = until * body.motion.velocity[axis], by = error + 0x1p-50 * std::fabs(way);
+    const double way = in_time(until, body.motion.velocity[axis]), by = error + 0x1p-50 * std::fabs(way);
     around.lower[axis] = std::nextafter(body.box.lower[axis] + (std::min(way, 0.0) - by), -infinity);
     around.upper[axis] = std::nextafter(body.box.upper[axis] + (std::max(way, 0.0) + by), infinity);
   }

@@ -93,7 +93,7 @@ Scene nested_shells(double factor, std::uint64_t seed, const Placement& placemen
 Scene boxes_face_to_face(double gap, const Placement& placement) { return fields_of_boxes(gap, 1, placement); }
 
 Scene fields_of_boxes(double gap, int per_side, const Placement& placement) {
-  require_range("the gap", gap, -1, 1e300);
+  require_range("the gap", gap, -1, 1e9);
   require_range("the number of boxes on a side", per_side, 1, 1000);
   Scene scene;
   add(scene, "left boxes", shared(wall_of_boxes(0, 1, per_side)), placed(placement));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/parallel.hpp"
@@ -85,6 +86,13 @@ void SpaceTimeSchedule::land_all() {
   }
 }
 
+/// The step before was broken off by an exception, so nobody has looked at what was due in it: the stretch ends here.
+void SpaceTimeSchedule::break_off() {
+  starting_.clear();
+  end_ = now_;
+  start_ = now_ + 3;
+}
+
 bool SpaceTimeSchedule::is_kept(Index index, const Body& body) const {
   return flights_[index].is_kept(parts_[index], sight_of(parts_[index], body.pose), static_cast<double>(now_ - begin_));
 }
@@ -92,6 +100,7 @@ bool SpaceTimeSchedule::is_kept(Index index, const Body& body) const {
 std::span<const Index> SpaceTimeSchedule::begin_step(std::span<const Body> bodies, std::span<const Index> moved) {
   ++now_;
   landed_.clear();
+  if (std::exchange(is_in_step_, true)) break_off();
   if (count_flying_ == 0) return landed_;
   if (now_ == end_) {
     land_all();
@@ -233,6 +242,7 @@ void SpaceTimeSchedule::end_step(std::span<const Body> bodies, const StepWork& w
   starting_.clear();
   plan(work);
   if (now_ + 2 >= start_ && now_ < start_) see(bodies);
+  is_in_step_ = false;
 }
 
 }  // namespace toccata

@@ -84,6 +84,7 @@ class SpaceTimeSchedule {
   /// When the stretch ends, and the next begins.
   void plan(const StepWork& work);
   void land_all();
+  void break_off();
   [[nodiscard]] bool is_kept(Index index, const Body& body) const;
   [[nodiscard]] SpaceTimeMotion motion_now(Index index) const;
 
@@ -93,6 +94,7 @@ class SpaceTimeSchedule {
   std::uint64_t begin_ = 0;  ///< of the stretch
   std::uint64_t end_ = 0;    ///< of the stretch; not after `now_` where none is
   std::uint64_t start_ = 3;  ///< of the next
+  bool is_in_step_ = false;  ///< begun, and not ended
   // By index.
   std::vector<State> states_;
   std::vector<std::uint32_t> numbers_;  ///< of flights

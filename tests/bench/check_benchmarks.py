@@ -216,7 +216,7 @@ def check_builders():
 def check_proximity():
     """Balls of any number of triangles are apart in every way; boxes that bounce swap more ends than those that float."""
     sizes = report("proximity", "--task", "size", "--rounds", "1")["results"]
-    assert len(sizes) == 11 and not any(r["meet"] for r in sizes), sizes
+    assert len(sizes) == 11 and not any(r["meet"] or r["wrong"] for r in sizes), sizes
     rows = {r["scene"]: r for r in report("broad", "--task", "swaps", "--count", "1000", "--frames", "3")["results"]}
     assert rows["bounce"]["swaps_per_box"] > rows["uniform"]["swaps_per_box"] > rows["static"]["swaps_per_box"], rows
     assert rows["pile"]["swaps_per_box"] > rows["uniform"]["swaps_per_box"], rows

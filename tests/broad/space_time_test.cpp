@@ -202,6 +202,17 @@ TEST(SeenLater, HoldsOfPointsAsTheyAreThen) {
     EXPECT_GE(greatest_error(later, time), greatest_error(motion, 3) + greatest_error(motion, 3 + time) - 1e-12);
 }
 
+TEST(BoxUntil, HoldsForEverWhatIsAskedForEver) {
+  const Aabb box{{0, 0, 0}, {1, 1, 1}};
+  const Aabb at_rest = box_until({box, {}}, infinity), moving = box_until({box, {.velocity = {1, 0, 0}}}, infinity);
+  EXPECT_TRUE(at_rest.lower.x <= 0 && at_rest.lower.x > -1e-9 && at_rest.upper.x >= 1 && at_rest.upper.x < 1 + 1e-9);
+  EXPECT_EQ(moving.upper.x, infinity);
+  EXPECT_TRUE(moving.lower.y <= 0 && moving.lower.y > -1e-9 && moving.upper.y >= 1 && moving.upper.y < 1 + 1e-9);
+  EXPECT_EQ(box_until({box, {.max_acceleration = 1}}, infinity).upper.z, infinity);
+  EXPECT_THROW(static_cast<void>(box_until({box, {}}, -0.5)), Error);
+  EXPECT_THROW(static_cast<void>(box_until({box, {}}, std::nan(""))), Error);
+}
+
 TEST(EarliestMeeting, RefusesWhatIsNoBound) {
   const SpaceTimeBox box{{{0, 0, 0}, {1, 1, 1}}, {.max_acceleration = -1}};
   try {

@@ -179,7 +179,7 @@ TEST_F(Cost, InspectTellsTheVolumesOfAMesh) {
     EXPECT_NE(table.out.find(text), std::string::npos) << text;
   const Json json = Json::parse(run_command({"inspect", "a.obj", "--volumes", "--json"}, folder.path()).out);
   const Json& volumes = json["objects"][0]["volumes"];
-  EXPECT_EQ(volumes.size(), 13U * 3 * 6);
+  EXPECT_EQ(volumes.size(), 13U * 3 * 7);
   std::set<std::string> names;
   for (const Json& volume : volumes) {
     names.insert(volume["volume"]);

@@ -109,6 +109,8 @@ TEST(Demo, NoFrameOfTheClothMeetsAnything) {
   EXPECT_EQ(written.exit_code, 0) << written.out << written.err;
   EXPECT_EQ(run_command({"demo", "cloth", "--steps", "0"}).exit_code, 2);
   EXPECT_EQ(run_command({"demo", "--steps", "10"}).exit_code, 2);  // of what stands
+  EXPECT_EQ(run_command({"demo", "mould", "--steps", "10"}).exit_code, 2);
+  EXPECT_EQ(run_command({"demo", "cloth", "--factor", "0.5"}).exit_code, 2);
   EXPECT_EQ(run_command({"demo", "silk"}).exit_code, 2);
 }
 

@@ -134,6 +134,8 @@ inline std::string trace_fault(const BspSubject& subject, const PlacedPolytope& 
     if (!trace.hit && truth.hit) return "a trace is free, and the cast hits";
     if (truth.hit && trace.time > truth.upper) return "a trace is free too long";
     if (!trace.hit && trace != BspTrace{}) return "free, and yet not";
+    if (trace.hit && trace.time > 0 && !(std::fabs(length(trace.normal) - 1) < 1e-12)) return "the normal is no unit";
+    if (trace.hit && !(dot(trace.normal, normalized(motion)) < 1e-9)) return "the normal is along the motion";
   }
   if (bevelled.hit && !plain.hit) return "bevels add a hit";
   return bevelled.time >= plain.time ? "" : "bevels make it earlier";

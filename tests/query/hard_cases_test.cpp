@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "query/meshes/posed_mesh.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/query/contacts.hpp"
@@ -106,6 +107,7 @@ TEST_P(HardCase, BoxesAtAGap) {
     }
   expect_surfaces_like_brute_force(fields_of_boxes(1e-8, 3), pose);
   expect_surfaces_like_brute_force(fields_of_boxes(-1e-8, 3), pose);
+  EXPECT_THROW((void)boxes_face_to_face(1e17), Error);  // a box at such a place is flat
 }
 
 TEST_P(HardCase, ShellsScaledByAThousandth) {

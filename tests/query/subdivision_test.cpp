@@ -181,6 +181,25 @@ TEST(LimitDistance, OfTheTopOfACubeIsThatOfItsLimitPoint) {
   EXPECT_LE(found.upper - found.lower, 1e-7);
 }
 
+TEST(LimitDistance, OfASurfaceWithinASolidOrCrossingItIsZero) {
+  const SubdivisionCage cage(cube_cage(), SubdivisionScheme::catmull_clark);
+  for (const auto& [solid, at] : {std::pair<Model, double>{Sphere(9), 0}, {Box({0.5, 0.5, 0.5}), 0.8}}) {
+    const LimitDistance found = distance(cage, solid, {.pair = {.pose_b = Pose::translation(at, 0, 0)}});
+    EXPECT_EQ(found.upper, 0);
+    EXPECT_EQ(found.lower, 0);
+    EXPECT_EQ(found.status, Status::exact);
+  }
+}
+
+TEST(Refine, IsExactOnlyWhereItIsAsNearAsWasAsked) {
+  const SubdivisionCage cage(cube_cage(), SubdivisionScheme::catmull_clark);
+  const double reached = refine(cage, {.levels = 2}).distance_to_limit;
+  for (const double tolerance : {reached, reached * (1 - 1e-15)}) {
+    const SubdividedMesh made = refine(cage, {.tolerance = tolerance});
+    EXPECT_EQ(made.status == Status::exact, made.distance_to_limit <= tolerance);
+  }
+}
+
 TEST(LimitOverlap, SaysNoYesAndUndecided) {
   const SubdivisionCage cage(cube_cage(), SubdivisionScheme::catmull_clark);
   const auto ask = [&](double height, double tolerance) {

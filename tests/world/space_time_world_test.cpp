@@ -1,5 +1,6 @@
 // A World with space_time tells the same as one without, whatever its bodies do and whatever they promise.
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -230,6 +231,29 @@ TEST_F(SpaceTimeSurprise, ACopyTellsTheSameFromThereOn) {
   go_on();
   courses_[0].at = courses_[1].at;
   go_on();
+}
+
+TEST_F(SpaceTimeSurprise, AStepThatIsBrokenOffLosesNoPair) {
+  courses_[1].at = courses_[0].at + Vec3{0.1, 0, 0};
+  for (const std::size_t i : {0, 1}) courses_[i].velocity = {}, courses_[i].spin = 0;
+  for (int round = 0; round < 10; ++round) {
+    live(twins_, courses_, manners_, 8 + round, random_);
+    ASSERT_FALSE(twins_.scheduled().pairs().empty());
+    bool is_broken = false;
+    const Vec3 from = courses_[2].at, way = courses_[0].at - from;
+    const auto course = [&](double time) {
+      if (is_broken) throw std::runtime_error("the line is dead");
+      return Pose::translation(from + time * way);
+    };
+    twins_.both([&](World& world, const std::vector<BodyId>& ids) {
+      is_broken = false;
+      world.move_along(ids[2], RigidMotion::of(course, {.speed = 1.01 * length(way)}));
+      is_broken = true;
+      EXPECT_THROW(world.step(), std::runtime_error);
+      world.move(ids[2], courses_[2].pose());
+    });
+    twins_.step();
+  }
 }
 
 TEST(SpaceTime, NegativePromisesAreRefused) {

@@ -34,8 +34,8 @@ struct MouldShape {
   double margin = 0.5;  ///< the wall around the mesh, more than 0, in the mesh's units
 };
 
-/// Any mesh in the hole that it leaves in a wall thicker than itself. With the factor 1 every triangle lies on its
-/// twin. With 0.999 a closed mesh is apart from the wall if it is star-shaped about `about`, as a noise sphere is about
+/// A closed mesh in the hole that it leaves in a wall thicker than itself. With the factor 1 every triangle lies on its
+/// twin. With 0.999 it is apart from the wall if it is star-shaped about `about`, as a noise sphere is about
 /// the origin; one that is not, as the bunny, cuts the wall. Throws Error for numbers out of range.
 [[nodiscard]] Scene inside_negative_image(const TriangleMesh& mesh, const MouldShape& shape = {},
                                           const Placement& placement = {});
@@ -43,7 +43,7 @@ struct MouldShape {
 /// A star-shaped noise sphere and its copy scaled by `factor` about the centre: 0.999 lies inside, 1.001 around.
 [[nodiscard]] Scene nested_shells(double factor, std::uint64_t seed, const Placement& placement = {});
 
-/// Two unit boxes side by side with `gap` between their faces, which is at least −1: positive is apart, 0 touches to
+/// Two unit boxes side by side with `gap` between their faces, which is −1 … 10⁹: positive is apart, 0 touches to
 /// the bit, negative overlaps. The sign survives rounding while |gap| · scale is above 4 units in the last place of
 /// offset + 2 · scale.
 [[nodiscard]] Scene boxes_face_to_face(double gap = 0, const Placement& placement = {});

@@ -14,10 +14,10 @@
 namespace toccata {
 
 struct BspOptions {
-  double split_weight = 4;  ///< what a cut triangle costs, beside 1 for each that one side has more than the other
-  Index candidates = 8;     ///< planes of triangles that are compared at a node, evenly spread over what is in its cell
+  double split_weight = 4;  ///< 0 or more: what a cut triangle costs, beside 1 for each that one side has more
+  Index candidates = 8;     ///< 1 … 64: planes of triangles compared at a node, evenly spread over what is in its cell
   bool axis_planes = true;  ///< also planes across the axes through the middle of what is in a cell
-  double max_growth = 32;   ///< the tree is given up when there are more than so many fragments for each triangle
+  double max_growth = 32;   ///< 1 or more: the tree is given up beyond so many fragments a triangle, and beyond 2²⁸
 };
 
 /// What a tree has become.
@@ -72,7 +72,7 @@ struct BspTrace {
 class BspTree {
  public:
   /// Throws Error when the model is no mesh, the mesh is open, meets itself, or has a triangle without area, naming
-  /// them; for options that are not positive; and when cutting makes more fragments than `max_growth` allows.
+  /// them; for options out of their range; and when cutting makes more fragments than `max_growth` allows.
   explicit BspTree(const Model& solid, const BspOptions& options = {});
 
   /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not

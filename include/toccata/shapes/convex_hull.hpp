@@ -89,7 +89,7 @@ class ConvexHull {
 /// four that have none; when what they have in common goes on without end, telling a direction; when it is flat, naming
 /// in which planes it lies; and when it is flat only by rounding.
 ///
-/// Time grows with the number of half-spaces times that of vertices.
+/// Time grows somewhat more than half-spaces times vertices (2,000: some seconds), memory with an eighth of a byte each.
 [[nodiscard]] ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces);
 
 /// What a camera sees, in perspective.
@@ -103,8 +103,8 @@ struct View {
   double farthest = 1000;     ///< from the eye: 0 < nearest < farthest
 };
 
-/// The solid that a camera sees, six planes around eight corners, which are rounded: of each the error is a few units
-/// in the last place of its distance from the eye and of the eye's coordinates. What it overlaps is in view, and
+/// The solid that a camera sees. Its corners are rounded, by a few units in the last place of the distance from the eye
+/// (over the sine of the angle between direction and up) and of the eye's coordinates. What it overlaps is in view;
 /// `overlapping` of SceneIndex and WorldQueries tells of it exactly. Throws Error that names a number out of range.
 [[nodiscard]] ConvexHull view_frustum(const View& view);
 

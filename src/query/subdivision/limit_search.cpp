@@ -84,8 +84,7 @@ double LimitSearch::looked_at(const Triangle& triangle, Index face, double withi
                      .cage_face = mesh_.cage_face[face],
                      .element = found->element_b,
                      .level = mesh_.level};
-  if (goal_ == LimitGoal::overlap && is_solid_ && found->upper == 0 && is_deep_inside(triangle, within))
-    finding_.is_proved_contact = true;
+  if (is_solid_ && found->upper == 0 && is_deep_inside(triangle, within)) finding_.is_proved_contact = true;
   return difference_down(found->lower, within);
 }
 
@@ -101,8 +100,8 @@ bool LimitSearch::is_open(double lower) const {
 }
 
 bool LimitSearch::is_enough() const {
-  if (goal_ == LimitGoal::distance) return false;
-  return finding_.is_proved_contact || finding_.best.upper <= query_.tolerance;
+  if (finding_.is_proved_contact) return true;
+  return goal_ == LimitGoal::overlap && finding_.best.upper <= query_.tolerance;
 }
 
 /// What else may count is settled.

@@ -38,7 +38,7 @@ SubdividedMesh refine(const SubdivisionCage& cage, const RefinementOptions& opti
           .distance_to_limit = farthest,
           .triangle_distances = std::move(distances),
           .deepest_level = levels.meshes.back().level,
-          .status = levels.are_complete ? Status::exact : Status::not_converged};
+          .status = levels.are_complete && farthest <= options.tolerance ? Status::exact : Status::not_converged};
 }
 
 }  // namespace toccata

@@ -62,7 +62,8 @@ bool reaches_out(const WorldQuestion& world) {
 /// changes sides.
 std::optional<bool> has_within(const WorldQuestion& world, double apart) {
   if (reaches_out(world)) return false;
-  const SubdividedMesh refined = refine(world.cage, {.tolerance = apart / 2});
+  const SubdividedMesh refined =
+      refine(world.cage, {.tolerance = apart / 2, .max_triangles = 2 * world.query.max_faces});
   if (refined.distance_to_limit >= apart) return std::nullopt;
   PairQuery pair = world.query.pair;
   pair.solid_a = Solid::all;
@@ -83,6 +84,10 @@ LimitDistance distance(const SubdivisionCage& surface, const Model& model, const
   const WorldQuestion world = in_the_world(posed, model, query);
   const LimitFinding found = LimitSearch(posed, model, world.query, LimitGoal::distance).found();
   LimitDistance answer = found.best;
+  if (found.is_proved_contact) {
+    answer.lower = answer.upper = 0;
+    return answer;
+  }
   answer.lower = found.lower;
   const std::optional<bool> is_held = is_solid && answer.lower > 0 ? has_within(world, answer.lower) : false;
   if (!is_held) answer.lower = 0;
