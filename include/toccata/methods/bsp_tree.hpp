@@ -15,7 +15,7 @@ namespace toccata {
 
 struct BspOptions {
   double split_weight = 4;  ///< 0 or more: what a cut triangle costs, beside 1 for each that one side has more
-  Index candidates = 8;     ///< 1 … 64: planes of triangles compared at a node, evenly spread over what is in its cell
+  Index candidates = 8;     ///< 1 … 64: planes of triangles compared at a node, spread evenly over its cell
   bool axis_planes = true;  ///< also planes across the axes through the middle of what is in a cell
   double max_growth = 32;   ///< 1 or more: the tree is given up beyond so many fragments a triangle, and beyond 2²⁸
 };

@@ -89,7 +89,7 @@ class ConvexHull {
 /// four that have none; when what they have in common goes on without end, telling a direction; when it is flat, naming
 /// in which planes it lies; and when it is flat only by rounding.
 ///
-/// Time grows somewhat more than half-spaces times vertices (2,000: some seconds), memory with an eighth of a byte each.
+/// Time grows a little more than half-spaces times vertices (2,000: some seconds), memory by an eighth of a byte each.
 [[nodiscard]] ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces);
 
 /// What a camera sees, in perspective.

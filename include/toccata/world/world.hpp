@@ -36,7 +36,7 @@ struct WorldOptions {
   /// (docs/methods/space-partitions.md#bounds-in-space-and-time): from how bodies moved last, and what they promise
   /// (Body::max_acceleration, max_speed), follows the first step at which two can meet. Whoever moves otherwise is
   /// looked at anew, so pairs and events are the same bits; and where it does not pay, steps go the plain way. Only
-  /// `candidates` and `asked` are fewer.
+  /// `candidates` and, mostly, `asked` are fewer.
   bool space_time = false;
   BroadPhaseMethod broad_phase = BroadPhaseMethod::automatic;
   int threads = own_thread;
