@@ -48,8 +48,8 @@ struct SpaceTimeBox {
 [[nodiscard]] double earliest_meeting(const SpaceTimeBall& a, const SpaceTimeBall& b);
 [[nodiscard]] double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b);
 
-/// Contains the body at all times from 0 to `until`, which may be infinite: the box around the part of its horn, rounded
-/// outward. Throws Error for a motion as above, and when `until` is negative or no number.
+/// Contains the body at all times from 0 to `until`, which may be infinite: the box around the part of its horn,
+/// rounded outward. Throws Error for a motion as above, and when `until` is negative or no number.
 [[nodiscard]] Aabb box_until(const SpaceTimeBox& body, double until);
 
 }  // namespace toccata
