@@ -346,6 +346,93 @@ TEST(CharacterMover, QuadricsWalkToo) {
   EXPECT_NEAR(state.pose.offset.x, 2.5 - 0.41, 1e-6);
 }
 
+/// How far off the line through `a` along `d` a small ball meets a triangle on it.
+double farthest_off_line(const Triangle& triangle, const Vec3& a, const Vec3& d, const Vec3& from, const Vec3& motion) {
+  const SceneIndex level = level_of({{triangle, {}}});
+  double farthest = 0;
+  for (const auto& met :
+       move_character(level, Sphere(0.05), {Pose::translation(from)}, motion, {.max_slides = 1}).contacts) {
+    const Vec3 off = met.point - a;
+    farthest = std::max(farthest, length(off - (dot(off, d) / dot(d, d)) * d));
+  }
+  return farthest;
+}
+
+TEST(CharacterMover, ATriangleWithItsCornersOnALineIsMetWhereItIs) {
+  const Vec3 p{-0.27151045338904523, 0.30455348993017739, 0.088760807148825949};
+  const Vec3 q{-0.55338537764328066, 0.38426913649184036, -0.061455366753525503};
+  const Vec3 r{-1.2110935342364968, 0.57027231180238735, -0.41195977252567895};
+  const Vec3 from{-0.18378462286921149, 0.55893455098793261, 1.5561891663481};
+  const Vec3 motion{-1.1075086543481181, -0.1614146054036148, -3.0053632019067607};
+  EXPECT_LT(farthest_off_line(Triangle{{{p, q, r}}}, p, r - p, from, motion), 1e-6);
+  Random random(11);
+  for (int round = 0; round < 300; ++round) {
+    const auto point = [&] { return Vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; };
+    const Vec3 a = point(), d = point(), at = 2 * point();
+    const Vec3 into = 1.7 * (a + 0.6 * d - at);
+    EXPECT_LT(farthest_off_line(Triangle{{{a, a + 0.3 * d, a + d}}}, a, d, at, into), 1e-6) << round;
+  }
+}
+
+TEST(CharacterMover, WhatTheFilterRefusesNeitherPushesNorCarries) {
+  const auto level_at = [](double x) { return level_of({ground(), box_at({x, 0, 1}, {0.05, 2, 1})}); };
+  const State state = standing_at(level_at(-3), {0, 0, 0.1});
+  const std::vector<MovedObject<Index>> moved{{1, Pose::translation(-3, 0, 1)}, {0, Pose::translation(1, 0, 0)}};
+  const auto alone = [&](Index refused) {
+    const ObjectFilter filter = [=](Index object) { return object != refused; };
+    return move_character(level_at(4), walker(), state, {}, {}, filter, moved).carried;
+  };
+  EXPECT_GT(alone(0).x, 4);
+  EXPECT_NEAR(alone(1).x, -1, 1e-9);
+}
+
+TEST(CharacterMover, AMirroredHullIsMetWhereItIs) {
+  const Model hull = ConvexHull({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}});
+  Pose mirroring;
+  mirroring.linear.row[0] = {-1, 0, 0};
+  const Step plain = move_character(level_of({{hull, {}}}), Sphere(0.1), {Pose::translation(-3, 1, 1)}, {5, 0, 0});
+  const Step mirrored =
+      move_character(level_of({{hull, mirroring}}), Sphere(0.1), {Pose::translation(3, 1, 1)}, {-5, 0, 0});
+  ASSERT_EQ(plain.contacts.size(), mirrored.contacts.size());
+  EXPECT_NEAR(plain.state.pose.offset.x, -0.11, 1e-9);
+  EXPECT_NEAR(mirrored.state.pose.offset.x, 0.11, 1e-9);
+}
+
+TEST(CharacterMover, LevelGroundIsWalkedOnWhenNoSlopeIs) {
+  Random random(12);
+  for (int round = 0; round < 100; ++round) {
+    const Vec3 up = normalized(Vec3{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)});
+    const MoverOptions options{.up = up, .max_slope_degrees = 0};
+    const SceneIndex level = level_of({{HalfSpace({}, up), {}}});
+    EXPECT_TRUE(move_character(level, Sphere(0.5), {Pose::translation(up)}, -up, options).state.ground) << round;
+  }
+}
+
+/// A square of cells of two triangles each, in the plane z = 0.
+Model cut_floor(double cell, Index cells) {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index j = 0; j <= cells; ++j)
+    for (Index i = 0; i <= cells; ++i) vertices.push_back({cell * (i - 0.5 * cells), cell * (j - 0.5 * cells), 0});
+  for (Index j = 0; j < cells; ++j)
+    for (Index i = 0; i < cells; ++i) {
+      const Index at = j * (cells + 1) + i, above = at + cells + 1;
+      triangles.push_back({at, at + 1, above});
+      triangles.push_back({at + 1, above + 1, above});
+    }
+  return Model(TriangleMesh(vertices, triangles));
+}
+
+TEST(CharacterMover, IsPushedOutOfAFloorOfManyTrianglesNoFartherThanOfOnePlane) {
+  const SceneIndex level = level_of({{cut_floor(0.25, 40), {}}});
+  for (const double depth : {0.05, 0.1, 0.2, 0.3, 0.35, 0.39}) {
+    const Step step = move_character(level, walker(), {Pose::translation(0.11, 0.07, -depth)}, {});
+    EXPECT_FALSE(step.stuck) << depth;
+    EXPECT_NEAR(step.state.pose.offset.z, 0.01, 1e-3) << depth;
+    EXPECT_LT(length(step.pushed_out), depth + 0.01 + 1e-3) << depth;
+  }
+}
+
 TEST(CharacterMover, VelocityLosesWhatGoesIntoContacts) {
   const std::vector<Vec3> corner{{0, 0, 1}, {-1, 0, 0}};
   EXPECT_EQ(velocity_along({1, 2, -3}, corner), (Vec3{0, 2, 0}));

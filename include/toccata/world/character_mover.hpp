@@ -68,7 +68,9 @@ struct MoverStep {
 ///
 ///  - it comes no nearer to anything than 7/8 of the skin, or than it was, at any moment of the way, however long that
 ///    is. This is proved at every part of the way (docs/guide/character-mover.md), so nothing tunnels. Where it cannot
-///    be proved, as far from the origin that the skin is lost in the rounding, the character stops;
+///    be proved, as far from the origin that the skin is lost in the rounding, the character stops, and what it could
+///    not be proved to pass is told as a contact. What carries it may pass through it where something else is in the
+///    way;
 ///  - on ground, a motion that has no part along `up` is walked: its level part alone counts, over slopes up to the
 ///    greatest, up steps, and down by `snap_distance` at most; the ground that it stands on at the end is in the state.
 ///    Any other motion is a jump or a fall, which slides along everything. Steeper slopes are walls to what would
@@ -78,7 +80,8 @@ struct MoverStep {
 ///  - the answer has the same bits on every thread, each time.
 ///
 /// Before it goes it is carried by the object of `moved` that it stands on, pushed by others of them that come its way,
-/// and pushed out of what it overlaps or is too near to. A mesh that is taken as solid is left by its surface.
+/// and pushed out of what it overlaps or is too near to; by nothing that the filter refuses. A mesh that is taken as
+/// solid is left by its surface.
 ///
 /// Throws Error when a number is not finite, the motion too long to be added, an option is out of its range, the shape
 /// is of another kind, or an object of `moved` is not in the level; and like `distance` for the poses.

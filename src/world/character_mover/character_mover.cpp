@@ -16,6 +16,9 @@
 namespace toccata {
 namespace {
 
+/// Ground just as steep as the greatest slope is walked on, however its normal is rounded.
+constexpr double slope_tolerance = 0x1p-40;
+
 void require_option(bool is_fine, const char* name, double value, const char* range) {
   if (!is_fine) throw Error(fmt::format("a character: its {} is {}; it has to be {}", name, value, range));
 }
@@ -32,7 +35,7 @@ MoverSetting checked_setting(const MoverOptions& options) {
   require_option(options.max_slides >= 1, "number of slides", options.max_slides, "1 or more");
   return {up,
           options.skin,
-          sine_cosine_of_degrees(options.max_slope_degrees).cosine,
+          sine_cosine_of_degrees(options.max_slope_degrees).cosine - slope_tolerance,
           options.step_height,
           options.snap_distance,
           options.max_slides};

@@ -13,7 +13,9 @@ Vec3 normal_of_face(const PosedPolytope& polytope, Index face) {
   const Vec3 origin = polytope.vertex(topology.origin[first]);
   for (Index edge = first; edge < end; ++edge)
     sum += cross(polytope.vertex(topology.origin[edge]) - origin, polytope.vertex(topology.target(edge)) - origin);
-  return normalized(sum);
+  const auto& pose = polytope.pose().linear.row;
+  const bool is_mirrored = dot(pose[0], cross(pose[1], pose[2])) < 0;  // so each face is turned round
+  return normalized(is_mirrored ? -sum : sum);
 }
 
 std::vector<Vec3> face_normals_at(const LevelSet& set, const Vec3& point, const Vec3& outward, double tolerance) {

@@ -50,12 +50,12 @@ CarriedPlace carried_along(const Vec3& position, const std::optional<MoverStand>
                            const MoverBody& body, double gap) {
   CarriedPlace place{position};
   for (const MovedIndex& one : moved)
-    if (stand && stand->object == one.object) {
+    if (stand && stand->object == one.object && objects.accepts(one.object)) {
       const Vec3 by = displacement_of(stand->point, one.before, objects.at(one.object).pose);
       place.position = walk.slide(place.position, by, Footing::free, one.object).position;
     }
   for (const MovedIndex& one : moved) {
-    if (stand && stand->object == one.object) continue;
+    if (!objects.accepts(one.object) || (stand && stand->object == one.object)) continue;
     PushingObject pushing(one, objects.at(one.object), body, gap);
     for (int i = 0; i < most_pushes; ++i) {
       const std::optional<Vec3> push = pushing.next_push(place.position);

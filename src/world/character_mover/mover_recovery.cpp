@@ -17,14 +17,25 @@ bool are_overlapping(std::span<const NearThing> near) {
 
 }  // namespace
 
-/// The least motion after which all things that are too near are as far as the skin, judged by the planes across the
-/// shortest ways to them, and that goes into none of what is in its way.
-std::optional<Vec3> MoverWalk::way_out(std::span<const NearThing> near, std::span<const Plane> blocking) const {
+/// The least motion after which things that are too near are as far as the skin, judged by the planes across the
+/// shortest ways to them, and that goes into none of what is in its way. The nearest come first: of a floor of many
+/// triangles the way out of the nearest leads out of all, while the planes of those beside it lean, and ask for more.
+std::optional<Vec3> MoverWalk::way_out(const Vec3& position, std::vector<NearThing> near,
+                                       std::span<const Plane> blocking) const {
+  std::stable_sort(near.begin(), near.end(),
+                   [](const NearThing& a, const NearThing& b) { return a.gap.distance < b.gap.distance; });
   std::vector<MotionPlane> planes;
-  for (const NearThing& thing : near) planes.push_back({thing.gap.normal, setting_.skin - thing.gap.distance});
   for (const Plane& plane : blocking)
     if (plane.gap.distance >= setting_.too_near()) planes.push_back({plane.gap.normal, 0});
-  return nearest_motion({}, planes);
+  Vec3 motion{};
+  for (const NearThing& next : near) {
+    if (around_.body().gap_at(position + motion, *next.thing).distance >= setting_.too_near()) continue;
+    planes.push_back({next.gap.normal, setting_.skin - next.gap.distance});
+    const std::optional<Vec3> farther = nearest_motion({}, planes);
+    if (!farther) return {};
+    motion = *farther;
+  }
+  return motion;
 }
 
 /// A body within a solid mesh leaves it by the shortest way that is told.
@@ -48,7 +59,7 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
   std::vector<NearThing> near = around_.things_within(place.position, setting_.too_near());
   for (int round = 0; round < most_recovery_rounds && !near.empty(); ++round) {
     for (Plane& plane : blocking) plane.gap = around_.body().gap_at(place.position, plane.thing);
-    const std::optional<Vec3> motion = way_out(near, blocking);
+    const std::optional<Vec3> motion = way_out(place.position, near, blocking);
     if (!motion || *motion == Vec3{}) break;
     const auto met = around_.first_meeting(place.position, *motion);
     if (met) blocking.push_back({met->thing, met->gap});

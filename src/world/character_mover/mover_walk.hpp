@@ -13,7 +13,7 @@ namespace toccata {
 struct MoverSetting {
   Vec3 up;  ///< unit
   double skin;
-  double level_cosine;  ///< of the greatest slope
+  double level_cosine;  ///< of the greatest slope; a little less, for rounding
   double step_height;
   double snap_distance;
   int max_slides;
@@ -82,7 +82,8 @@ class MoverWalk {
   [[nodiscard]] Vec3 allowed(const Vec3& wanted, std::span<const Plane> planes, Footing footing) const;
   [[nodiscard]] double time_at_skin(const MoverMeeting& met, const Vec3& motion) const;
   [[nodiscard]] bool stands_on_edge(const NearThing& near, const Vec3& position) const;
-  [[nodiscard]] std::optional<Vec3> way_out(std::span<const NearThing> near, std::span<const Plane> blocking) const;
+  [[nodiscard]] std::optional<Vec3> way_out(const Vec3& position, std::vector<NearThing> near,
+                                            std::span<const Plane> blocking) const;
   [[nodiscard]] std::optional<Vec3> out_of_solid(const Vec3& position, const SearchedObjects& objects);
 
   MoverSurroundings& around_;

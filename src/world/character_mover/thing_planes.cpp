@@ -13,6 +13,10 @@ namespace {
 /// roundings of sums of three products, and a normal whose length is off by 2.
 constexpr double height_error = 0x1p-48;
 
+/// How far, of the extent, the corners of a face may lie below its plane; and how wide, of its longest edge, a triangle
+/// has to be. Beyond that a normal and what is over a face are made of rounding, and exact distance has to decide.
+constexpr double greatest_bend = 0x1p-40, least_width = 0x1p-12;
+
 double most_of_coordinates(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& normal) {
@@ -26,6 +30,30 @@ void add_planes_of_triangle(ThingPlanes& planes, const PosedPolytope& t) {
   add_plane(planes, t, normal);
   add_plane(planes, t, -normal);
   for (Index i = 0; i < 3; ++i) add_plane(planes, t, normalized(cross(t.vertex((i + 1) % 3) - t.vertex(i), normal)));
+}
+
+/// Not where its corners are on a line, but for rounding.
+bool is_wide(const PosedPolytope& t) {
+  const Vec3 a = t.vertex(1) - t.vertex(0), b = t.vertex(2) - t.vertex(0), c = b - a;
+  const double longest_square = std::max({dot(a, a), dot(b, b), dot(c, c)});
+  return length(cross(a, b)) > least_width * longest_square;
+}
+
+bool has_corners_in(const ThingPlanes::Plane& plane, const PosedPolytope& thing, Index face, double tolerance) {
+  const HullTopology topology = thing.topology();
+  for (Index edge = topology.face_start[face]; edge < topology.face_start[face + 1]; ++edge)
+    if (!(dot(plane.normal, thing.vertex(topology.origin[edge])) >= plane.top - tolerance)) return false;
+  return true;
+}
+
+/// None if one of them is no plane of its face.
+void add_planes_of_faces(ThingPlanes& planes, const PosedPolytope& thing) {
+  for (Index face = 0; face < thing.topology().face_count(); ++face) {
+    add_plane(planes, thing, normal_of_face(thing, face));
+    if (has_corners_in(planes.planes[face], thing, face, greatest_bend * planes.extent)) continue;
+    planes.count = 0;
+    return;
+  }
 }
 
 bool is_over_the_rest(const Vec3& foot, const ThingPlanes& planes, std::size_t face, double slack) {
@@ -45,9 +73,9 @@ ThingPlanes planes_of(const LevelSet& set) {
     planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
   if (thing->vertex_count() == 3 && faces == 2) {
-    add_planes_of_triangle(planes, *thing);
+    if (is_wide(*thing)) add_planes_of_triangle(planes, *thing);
   } else if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) {
-    for (Index face = 0; face < faces; ++face) add_plane(planes, *thing, normal_of_face(*thing, face));
+    add_planes_of_faces(planes, *thing);
   }
   for (std::size_t i = 0; i < planes.count; ++i)
     if (planes.planes[i].normal == Vec3{}) planes.count = 0;

@@ -22,7 +22,7 @@ struct ThingPlanes {
   static constexpr std::size_t most = 8;
 
   std::array<Plane, most> planes{};
-  std::size_t count = 0;  ///< 0: of other sets, and of what is flat
+  std::size_t count = 0;  ///< 0: of other sets, and of what is flat or nearly so
   double extent = 0;      ///< the greatest coordinate
   double radius = 0;      ///< of a ball by which the polytope is grown
 };
