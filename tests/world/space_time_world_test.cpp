@@ -235,7 +235,8 @@ TEST_F(SpaceTimeSurprise, ACopyTellsTheSameFromThereOn) {
 
 TEST_F(SpaceTimeSurprise, AStepThatIsBrokenOffLosesNoPair) {
   courses_[1].at = courses_[0].at + Vec3{0.1, 0, 0};
-  for (const std::size_t i : {0, 1}) courses_[i].velocity = {}, courses_[i].spin = 0;
+  courses_[0].velocity = courses_[1].velocity = {};
+  courses_[0].spin = courses_[1].spin = 0;
   for (int round = 0; round < 10; ++round) {
     live(twins_, courses_, manners_, 8 + round, random_);
     ASSERT_FALSE(twins_.scheduled().pairs().empty());
