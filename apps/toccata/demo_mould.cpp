@@ -13,10 +13,10 @@ namespace toccata::command {
 
 namespace {
 
-void require_solid(const std::string& file, const TriangleMesh& mesh) {
+/// Of an open mesh, as many scans are, the faces stand in the hole as surfaces; one inside out would fill it.
+void require_outside_out(const std::string& file, const TriangleMesh& mesh) {
   const MeshHealth health = inspect(mesh);
-  if (!health.closed) throw Error(file + " is open, so it leaves no hole in a wall; toccata inspect tells where");
-  if (!(health.signed_volume > 0))
+  if (health.closed && !(health.signed_volume > 0))
     throw Error(file + " is inside out or has no volume, so it leaves no hole in a wall; turn its faces over");
 }
 
@@ -32,7 +32,7 @@ Scene mould_scene(const std::string& file, double factor) {
   const double largest = std::max({size.x, size.y, size.z});
   if (!(largest > 0) || !std::isfinite(largest))
     throw Error(file + " has no size, or one that no double holds; scale it");
-  require_solid(file, mesh);
+  require_outside_out(file, mesh);
   MouldShape shape;
   shape.factor = factor;
   shape.about = box.lower + 0.5 * size;

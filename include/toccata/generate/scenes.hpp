@@ -34,8 +34,8 @@ struct MouldShape {
   double margin = 0.5;  ///< the wall around the mesh, more than 0, in the mesh's units
 };
 
-/// A closed mesh in the hole that it leaves in a wall thicker than itself. With the factor 1 every triangle lies on its
-/// twin. With 0.999 it is apart from the wall if it is star-shaped about `about`, as a noise sphere is about
+/// Any mesh in the hole that it leaves in a wall thicker than itself. With the factor 1 every triangle lies on its
+/// twin. With 0.999 a closed mesh is apart from the wall if it is star-shaped about `about`, as a noise sphere is about
 /// the origin; one that is not, as the bunny, cuts the wall. Throws Error for numbers out of range.
 [[nodiscard]] Scene inside_negative_image(const TriangleMesh& mesh, const MouldShape& shape = {},
                                           const Placement& placement = {});
