@@ -55,8 +55,14 @@ class BlockWalk {
   /// Before the first step, and again after the last one. The tree is not empty; the rest is for the search.
   template <class... Parts>
   HWY_INLINE void start(const WideBvh& tree, Parts&&... parts) {
+    start_at(tree, 0, parts...);
+  }
+
+  /// The same of what is below one block.
+  template <class... Parts>
+  HWY_INLINE void start_at(const WideBvh& tree, std::uint32_t block, Parts&&... parts) {
     blocks_ = tree.blocks.data();
-    block_ = 0;
+    block_ = static_cast<std::int32_t>(block);
     items_ = 0;
     search_.start(parts...);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "toccata/core/function_ref.hpp"
 #include "toccata/core/index.hpp"
@@ -35,5 +36,10 @@ struct WideProbe {
 /// Calls `visit(item)` until it returns false: with all items whose boxes may meet the region, each
 /// once.
 void walk_probe(const WideBvh& tree, const WideProbe& probe, FunctionRef<bool(Index)> visit);
+
+/// The same of what is below one block, with the items' places in the tree's order; returns how many boxes were
+/// compared.
+std::size_t walk_probe_below(const WideBvh& tree, std::uint32_t block, const WideProbe& probe,
+                             FunctionRef<bool(Index)> visit);
 
 }  // namespace toccata

@@ -219,13 +219,18 @@ HWY_INLINE void append_same(std::uint32_t value, std::uint32_t* HWY_RESTRICT to)
 struct FrontierEnds {
   std::uint32_t* blocks;
   std::uint32_t* boxes;
+  std::uint32_t* below;
+  Index* beside;
   std::array<Index*, 2> places;
+  unsigned regions;  ///< all bits where single items have regions, otherwise 0
   std::size_t size;
+  std::size_t below_count;
   std::size_t pair_count;
   std::size_t tests;
 };
 
-/// Files what meets, of the lanes that `wanted` names: a pair of items, or a pair of which the larger is to be opened.
+/// Files what meets, of the lanes that `wanted` names: a pair of items, a pair of which the larger is to be opened, or
+/// what is below a box that is smaller than a single item.
 HWY_INLINE void file(const WalkEntry& entry, const Compared& compared, unsigned wanted, FrontierEnds& f) {
   const WideBlock& block = *entry.block;
   const std::uint32_t side = entry.side, other_side = side ^ 1U;
@@ -238,7 +243,8 @@ HWY_INLINE void file(const WalkEntry& entry, const Compared& compared, unsigned 
   const unsigned lanes_in_use = ((1U << block.count) - 1U) & wanted;
   const unsigned hits = ~compared.apart & lanes_in_use;
   const unsigned other_is_item = 0U - (other_child >> 31);
-  const unsigned opens_own = hits & ~compared.items & (other_is_item | compared.larger);
+  const unsigned below = hits & ~compared.items & other_is_item & ~compared.larger & f.regions;
+  const unsigned opens_own = hits & ~compared.items & (other_is_item | compared.larger) & ~below;
   const unsigned opens_other = hits & ~opens_own & ~other_is_item;
   const unsigned found = hits & compared.items & other_is_item;
 
@@ -257,6 +263,12 @@ HWY_INLINE void file(const WalkEntry& entry, const Compared& compared, unsigned 
   append_same(~other_child, f.places[other_side] + f.pair_count);
   f.pair_count += static_cast<std::size_t>(std::popcount(found));
   f.tests += static_cast<std::size_t>(std::popcount(lanes_in_use));
+  if (HWY_UNLIKELY(below != 0)) {
+    append([&](std::size_t first) HWY_ATTR { return hn::Or(hn::ShiftLeft<1>(child(first)), hn::Set(d, side)); }, below,
+           f.below + f.below_count);
+    append_same(~other_child, f.beside + f.below_count);
+    f.below_count += static_cast<std::size_t>(std::popcount(below));
+  }
 }
 
 template <std::size_t axis_count>
@@ -272,16 +284,29 @@ constexpr std::size_t entries_at_once = 8;
 /// Room for what so many steps may add, and for the words that `append` writes beyond.
 FrontierEnds room_for(WideFrontier& f, std::size_t steps) {
   const std::size_t entries = f.size + 8 * steps + 16, pairs = f.pair_count + 8 * steps + 16;
+  const std::size_t below = f.below_count + 8 * steps + 16;
   // Each is looked at on its own: where memory ran out between two, a later call must not trust the first.
   for (auto* words : {&f.blocks, &f.boxes})
     if (words->size() < entries) words->resize(2 * entries);
   for (auto& places : f.places)
     if (places.size() < pairs) places.resize(2 * pairs);
-  return {f.blocks.data(), f.boxes.data(), {f.places[0].data(), f.places[1].data()}, f.size, f.pair_count, 0};
+  if (f.below.size() < below) f.below.resize(2 * below);
+  if (f.beside.size() < below) f.beside.resize(2 * below);
+  return {f.blocks.data(),
+          f.boxes.data(),
+          f.below.data(),
+          f.beside.data(),
+          {f.places[0].data(), f.places[1].data()},
+          f.has_regions ? ~0U : 0U,
+          f.size,
+          f.below_count,
+          f.pair_count,
+          0};
 }
 
 void take_over(const FrontierEnds& ends, WideFrontier& f) {
   f.size = ends.size;
+  f.below_count = ends.below_count;
   f.pair_count = ends.pair_count;
   f.counts.volume_tests += ends.tests;
 }
@@ -299,6 +324,33 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
   f.pair_count = 0;
   f.batch = std::min(2 * f.batch, WideWalk::largest_batch);
   if (!visitor.visit(f.pairs)) f.ended = true;
+}
+
+/// A pair that a region left.
+void find(const WideWalk& walk, WideFrontier& f, std::size_t side, Index own, Index other, WideVisitor& visitor) {
+  for (auto& places : f.places)
+    if (places.size() <= f.pair_count) places.resize(2 * f.pair_count + 16);
+  f.places[side][f.pair_count] = own;
+  f.places[side ^ 1U][f.pair_count++] = other;
+  hand_on(walk, f, visitor, f.batch);
+}
+
+/// What is below boxes that are smaller than an item's, against the item's region. An item that is large beside what is
+/// near it has those boxes within its own, however far its surface is from them.
+void compare_regions(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
+  WideProbe region;
+  for (std::size_t i = 0; i < f.below_count && !f.ended; ++i) {
+    const std::uint32_t side = f.below[i] & 1U;
+    const Index other = f.beside[i];
+    if (i == 0 || other != f.beside[i - 1] || side != (f.below[i - 1] & 1U))
+      region = visitor.region_of(side ^ 1U, walk.tree(side ^ 1U).items[other]);
+    const auto find_own = [&](Index own) {
+      find(walk, f, side, own, other, visitor);
+      return !f.ended;
+    };
+    f.counts.volume_tests += walk_probe_below(walk.tree(side), f.below[i] >> 1, region, find_own);
+  }
+  f.below_count = 0;
 }
 
 /// The entries of a block, step by step. One stage after another for all: within a stage nothing waits for anything, so
@@ -335,6 +387,7 @@ void drain_with(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
     FrontierEnds ends = room_for(f, entries_at_once);
     stages.run(sides, ends.blocks + f.size, ends.boxes + f.size, count, ends);
     take_over(ends, f);
+    compare_regions(walk, f, visitor);
     hand_on(walk, f, visitor, f.batch);
   }
 }
@@ -360,6 +413,7 @@ void run_level(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor) {
     FrontierEnds ends = room_for(f, 1);
     step<any_count>(WalkEntry(WalkSides(walk), f.blocks[i], f.boxes[i]), 0xFF, ends);
     take_over(ends, f);
+    compare_regions(walk, f, visitor);
     hand_on(walk, f, visitor, f.batch);
   }
   for (auto* words : {&f.blocks, &f.boxes})
@@ -376,6 +430,7 @@ void run_all_self(const WideWalk& walk, WideFrontier& f, BlockRange range, WideV
     for (std::uint32_t lane = 0; lane + 1 < blocks[block].count; ++lane)
       step<any_count>(WalkEntry(WalkSides(walk), block << 1, (block << 3) + lane), 0xFFU << (lane + 1) & 0xFFU, ends);
     take_over(ends, f);
+    compare_regions(walk, f, visitor);
     hand_on(walk, f, visitor, f.batch);
     if (f.size >= entries_at_once && !f.ended) drain(walk, f, visitor);
   }
@@ -406,11 +461,13 @@ void WideFrontier::grow_like(const WideFrontier& other) {
   grow(blocks, other.blocks.size());
   grow(boxes, other.boxes.size());
   for (std::size_t side = 0; side < 2; ++side) grow(places[side], other.places[side].size());
+  grow(below, other.below.size());
+  grow(beside, other.beside.size());
   pairs.reserve(other.pairs.capacity());
 }
 
 void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
-  frontier.size = frontier.pair_count = 0;
+  frontier.size = frontier.pair_count = frontier.below_count = 0;
   frontier.batch = first_batch;
   frontier.ended = frontier.within_one = false;
   frontier.counts = {};
@@ -426,11 +483,13 @@ void WideWalk::start(WideFrontier& frontier, std::size_t first_batch) const {
 }
 
 void WideWalk::spread(WideFrontier& frontier, std::size_t entries, WideVisitor& visitor) const {
+  frontier.has_regions = visitor.has_regions();
   while (frontier.size > 0 && frontier.size < entries && !frontier.ended)
     HWY_DYNAMIC_DISPATCH(run_level)(*this, frontier, visitor);
 }
 
 void WideWalk::run(WideFrontier& frontier, WideVisitor& visitor) const {
+  frontier.has_regions = visitor.has_regions();
   HWY_DYNAMIC_DISPATCH(run_all)(*this, frontier, visitor);
 }
 
@@ -443,6 +502,7 @@ void WideWalk::run_self(WideFrontier& frontier, std::size_t first_batch, BlockRa
   start(frontier, first_batch);
   frontier.size = 0;
   frontier.within_one = true;
+  frontier.has_regions = visitor.has_regions();
   HWY_DYNAMIC_DISPATCH(run_all_self)(*this, frontier, blocks, visitor);
 }
 

@@ -49,6 +49,12 @@ class WideVisitor {
   /// Says whether it wants more.
   virtual bool visit(std::span<const ItemPair> pairs) = 0;
 
+  /// Whether an item can be told from boxes of the other tree by more than its own box. Then what is smaller than the
+  /// box of a single item is compared with the item's region.
+  [[nodiscard]] virtual bool has_regions() const { return false; }
+  /// That region, for boxes of the other tree: it holds the item of tree `side`.
+  [[nodiscard]] virtual WideProbe region_of(std::size_t /*side*/, Index /*item*/) { return {}; }
+
  protected:
   ~WideVisitor() = default;
 };
@@ -59,12 +65,16 @@ struct WideFrontier {
   std::vector<std::uint32_t> blocks;  ///< block · 2 + which tree it is of
   std::vector<std::uint32_t> boxes;   ///< block · 8 + lane, of the other tree
   std::size_t size = 0;
+  std::vector<std::uint32_t> below;  ///< block · 2 + which tree it is of: its boxes are smaller than the item
+  std::vector<Index> beside;         ///< at this place of the other tree
+  std::size_t below_count = 0;
   std::array<std::vector<Index>, 2> places;  ///< of found items, in the item orders of the trees
   std::size_t pair_count = 0;
   std::vector<ItemPair> pairs;
   std::size_t batch = 0;  ///< so many pairs are handed on at once
   bool ended = false;
-  bool within_one = false;  ///< of one tree with itself: the lesser item first
+  bool within_one = false;   ///< of one tree with itself: the lesser item first
+  bool has_regions = false;  ///< of the visitor
   WalkCounts counts;
 
   /// Gets at least the other's memory.

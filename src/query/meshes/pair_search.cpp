@@ -42,6 +42,10 @@ class ContactsSeen final : public WideVisitor {
     return collect_.visit(pairs) && std::all_of(found_.pairs.begin(), found_.pairs.end(),
                                                 [&](const FoundPair& pair) { return see_(contact_of(a_, b_, pair)); });
   }
+  [[nodiscard]] bool has_regions() const override { return collect_.has_regions(); }
+  [[nodiscard]] WideProbe region_of(std::size_t side, Index triangle) override {
+    return collect_.region_of(side, triangle);
+  }
 
  private:
   const PosedMesh& a_;

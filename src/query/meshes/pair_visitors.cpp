@@ -1,5 +1,7 @@
 #include "query/meshes/pair_visitors.hpp"
 
+#include "query/meshes/world_search.hpp"
+
 namespace toccata {
 namespace {
 
@@ -28,6 +30,10 @@ void PairVisitor::ask_for_vertices(std::span<const ItemPair> pairs) const {
     for (const Index corner : mesh_a_.triangles()[pair.first]) __builtin_prefetch(&mesh_a_.vertices()[corner]);
     for (const Index corner : mesh_b_.triangles()[pair.second]) __builtin_prefetch(&mesh_b_.vertices()[corner]);
   }
+}
+
+WideProbe PairVisitor::region_of(std::size_t side, Index triangle) {
+  return side == 0 ? probe_of(b_, a_.triangle(triangle)) : probe_of(a_, b_.triangle(triangle));
 }
 
 std::span<const TrianglePairBlock> PairVisitor::classified(std::span<const ItemPair> pairs) {

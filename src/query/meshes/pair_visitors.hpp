@@ -61,6 +61,9 @@ class PairVisitor : public WideVisitor {
   PairVisitor(const PosedMesh& a, const PosedMesh& b, SearchPart& part, bool one_mesh)
       : a_(a), b_(b), mesh_a_(a.model().mesh()), mesh_b_(b.model().mesh()), one_mesh_(one_mesh), blocks_(part.blocks) {}
 
+  [[nodiscard]] bool has_regions() const final { return !one_mesh_; }
+  [[nodiscard]] WideProbe region_of(std::size_t side, Index triangle) final;
+
  protected:
   ~PairVisitor() = default;
 

@@ -25,32 +25,35 @@ RegionDirection along_axis(const PosedMesh& mesh, const Aabb& region, int axis) 
           culling_pad(world_sizes(mesh)[axis], 1)};
 }
 
+/// Along a direction in which the region lies in a range. As for two meshes, the region being the second: no coordinate
+/// of it is greater than `reach`.
+RegionDirection along(const PosedMesh& mesh, const Vec3& direction, const FormRange& region, const Vec3& reach) {
+  const Mat3& linear = mesh.pose().linear;
+  const Vec3 size = magnitudes(direction);
+  RegionDirection result;
+  result.on_mesh = {dot(direction, linear.column(0)), dot(direction, linear.column(1)),
+                    dot(direction, linear.column(2))};
+  result.offset = dot(direction, mesh.pose().offset);
+  result.region = region;
+  result.pad =
+      culling_pad(dot(size, world_sizes(mesh) + reach), 1 + sum_of_magnitudes(largest_coordinates(mesh)) +
+                                                            sum_of_magnitudes(size) + sum_of_magnitudes(reach));
+  return result;
+}
+
+void add_usable(const RegionDirection& direction, const PosedMesh& mesh, WideProbe& probe) {
+  if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
+}
+
 /// The direction at right angles to a ray along `axis` and to an edge of the mesh's posed boxes: turned boxes that lie
-/// beside the ray are told by it, while their world boxes meet the ray. As for two meshes, the ray being the second.
+/// beside the ray are told by it, while their world boxes meet the ray.
 RegionDirection beside_ray(const PosedMesh& mesh, const Aabb& ray, int axis, const Vec3& edge) {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const double size = std::max(std::abs(edge[i]), std::abs(edge[j]));
   Vec3 direction;
   direction[i] = -edge[j] / size;
   direction[j] = edge[i] / size;
-
-  const Mat3& linear = mesh.pose().linear;
-  const Vec3 sizes = world_sizes(mesh), largest = largest_coordinates(mesh);
-  RegionDirection result;
-  result.on_mesh = {dot(direction, linear.column(0)), dot(direction, linear.column(1)),
-                    dot(direction, linear.column(2))};
-  result.offset = dot(direction, mesh.pose().offset);
-  double rounded = 0, underflowed = 1 + ((largest.x + largest.y) + largest.z);
-  for (const int k : {i, j}) {
-    const double p = direction[k] * ray.lower[k], q = direction[k] * ray.upper[k];
-    const double reach = std::max(std::abs(ray.lower[k]), std::abs(ray.upper[k]));
-    result.region.low += std::min(p, q);
-    result.region.high += std::max(p, q);
-    rounded += std::abs(direction[k]) * (sizes[k] + reach);
-    underflowed += std::abs(direction[k]) + reach;
-  }
-  result.pad = culling_pad(rounded, underflowed);
-  return result;
+  return along(mesh, direction, range_of(direction, ray), largest_coordinates(ray));
 }
 
 /// What of a region lies in a box that it meets: a region may be infinite.
@@ -68,8 +71,7 @@ void add_directions_beside(const PosedMesh& mesh, const Aabb& ray, int axis, Wid
     const Vec3 edge = mesh.pose().linear.column(j);
     const bool gives_an_axis = edge[(axis + 1) % 3] == 0 || edge[(axis + 2) % 3] == 0;
     if (gives_an_axis) continue;  // it is there already, or nothing
-    const RegionDirection direction = beside_ray(mesh, ray, axis, edge);
-    if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
+    add_usable(beside_ray(mesh, ray, axis, edge), mesh, probe);
   }
 }
 
@@ -105,12 +107,27 @@ RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
   return result;
 }
 
+/// Whatever the direction, no point of the triangle is outside of it.
+RegionDirection along(const PosedMesh& mesh, const Vec3& direction, const Triangle& triangle) {
+  const double p = dot(direction, triangle[0]), q = dot(direction, triangle[1]), r = dot(direction, triangle[2]);
+  return along(mesh, direction, {std::min({p, q, r}), std::max({p, q, r})}, largest_coordinates(box_of(triangle)));
+}
+
 }  // namespace
+
+WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle) {
+  const std::array<Vec3, 3> sides{unit_or_zero(triangle[1] - triangle[0]), unit_or_zero(triangle[2] - triangle[1]),
+                                  unit_or_zero(triangle[0] - triangle[2])};
+  const Vec3 normal = unit_or_zero(cross(sides[0], sides[1]));
+  WideProbe probe;
+  add_usable(along(mesh, normal, triangle), mesh, probe);
+  for (const Vec3& side : sides) add_usable(along(mesh, unit_or_zero(cross(normal, side)), triangle), mesh, probe);
+  return probe;
+}
 
 void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
-  const RegionDirection direction = below(mesh, half_space);
-  if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
+  add_usable(below(mesh, half_space), mesh, probe);
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 

@@ -3,8 +3,13 @@
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/narrow/convex_convex.hpp"
+#include "trees/wide_probe.hpp"
 
 namespace toccata {
+
+/// A world triangle as a region that boxes of the mesh's tree are compared with: along its normal, and along the
+/// normals of its sides in its plane.
+[[nodiscard]] WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle);
 
 /// Calls `visit(triangle)` for all triangles that meet `region`, a closed world box, and only for such whose world
 /// boxes meet it, in no particular but always the same order; ends early when `visit` returns false. The upper side of
