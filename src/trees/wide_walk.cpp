@@ -155,9 +155,14 @@ HWY_INLINE void look(const WalkEntry& entry, SeenBox& seen) {
   seen.size = hn::GetLane(hn::Mul(size, hn::Set(Floats(), axes.other_is_larger_by)));
 }
 
+/// A box is compared with the region of a single item where it is no more than this part of the item's own: the region
+/// costs as much as some ten steps.
+constexpr float small_part = 0.25F;
+
 struct Compared {
   unsigned apart;   ///< lanes that do not meet the box
   unsigned larger;  ///< lanes that are at least as large as it
+  unsigned small;   ///< lanes that are many times smaller
   unsigned items;   ///< lanes that are single items
 };
 
@@ -166,7 +171,7 @@ template <std::size_t axis_count>
 HWY_INLINE Compared compare(const WalkEntry& entry, const SeenBox& box) {
   const WideBlock& block = *entry.block;
   const WideAxes& axes = *entry.axes;
-  Compared result{0, 0, 0};
+  Compared result{0, 0, 0, 0};
   for (std::size_t part = 0; part < block_parts; ++part) {
     const std::size_t first = part * part_lanes;
     const BlockLanes l(block, first);
@@ -184,8 +189,9 @@ HWY_INLINE Compared compare(const WalkEntry& entry, const SeenBox& box) {
     const hn::RebindToSigned<Words> whole;
     const auto children = hn::Load(whole, block.child.data() + first);
     result.items |= bits_of(Floats(), hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
-    result.larger |= bits_of(Floats(), hn::Ge(hn::Add(hn::Add(l.ex, l.ey), l.ez), hn::Set(Floats(), box.size)))
-                     << first;
+    const auto size = hn::Add(hn::Add(l.ex, l.ey), l.ez);
+    result.larger |= bits_of(Floats(), hn::Ge(size, hn::Set(Floats(), box.size))) << first;
+    result.small |= bits_of(Floats(), hn::Lt(size, hn::Set(Floats(), small_part * box.size))) << first;
   }
   return result;
 }
@@ -243,7 +249,7 @@ HWY_INLINE void file(const WalkEntry& entry, const Compared& compared, unsigned 
   const unsigned lanes_in_use = ((1U << block.count) - 1U) & wanted;
   const unsigned hits = ~compared.apart & lanes_in_use;
   const unsigned other_is_item = 0U - (other_child >> 31);
-  const unsigned below = hits & ~compared.items & other_is_item & ~compared.larger & f.regions;
+  const unsigned below = hits & ~compared.items & other_is_item & compared.small & f.regions;
   const unsigned opens_own = hits & ~compared.items & (other_is_item | compared.larger) & ~below;
   const unsigned opens_other = hits & ~opens_own & ~other_is_item;
   const unsigned found = hits & compared.items & other_is_item;
