@@ -13,6 +13,7 @@
 
 #include "core/prefetch.hpp"
 #include "trees/box_lanes.hpp"
+#include "trees/triangle_prism.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
@@ -38,6 +39,40 @@ class SeenBlocks {
   static constexpr unsigned log2_count = 4;
   std::array<std::uint32_t, 1U << log2_count> numbers_;
   std::array<SeenBlock, 1U << log2_count> blocks_;
+};
+
+/// A box is told from a single triangle by more than the triangle's box where it is no more than this part of that.
+constexpr double part_of_triangle = 0.25;
+
+/// A triangle of the other tree, and boxes of the own one that are small beside it.
+class BesideTriangle {
+ public:
+  /// Makes the bounds greater where the triangle itself says more.
+  void raise(const NearView& view, const NearBvh& tree, std::int32_t other_child, const OrientedBlock& own,
+             double other_size, BlockBounds& bounds) {
+    for (std::size_t lane = 0; lane < own.count; ++lane) {
+      const double size = (double{own.extent[0][lane]} + own.extent[1][lane]) + own.extent[2][lane];
+      if (own.is_item(lane) || !(size < part_of_triangle * other_size)) continue;
+      see_triangle(view, tree, static_cast<std::uint32_t>(~other_child));
+      bounds[lane] = std::max(bounds[lane], (prism_.gap(own, lane) - view.pad) * view.scale);
+    }
+  }
+
+ private:
+  void see_triangle(const NearView& view, const NearBvh& tree, std::uint32_t place) {
+    if (place == place_) return;
+    place_ = place;
+    const auto& corner = tree.mesh->triangles()[tree.items[place]];
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 local = (1 / tree.unit) * (tree.mesh->vertices()[corner[i]] - tree.origin);
+      corners[i] = view.offset + view.ratio * turned(view.rotation, local);
+    }
+    prism_ = TrianglePrism(corners);
+  }
+
+  std::uint32_t place_ = NearFrontier::none;
+  TrianglePrism prism_;
 };
 
 /// A box of either tree.
@@ -114,11 +149,20 @@ class NearRun {
     double bound;
   };
 
+  /// The bounds of a block's boxes and one of the other tree.
+  HWY_INLINE void bound(std::size_t side, const OrientedBlock& own, const Seen& box, std::int32_t other_child) {
+    const NearView& view = walk_.view(side);
+    bounds_of(view, own, box, bounds_);
+    const NearBvh& other = walk_.tree(side ^ 1);
+    if (other_child < 0 && other.mesh != nullptr && view.rigid)
+      beside_[side].raise(view, other, other_child, own, box.size, bounds_);
+  }
+
   /// The bounds of a box and the children of a block; says which is the least.
   Nearest expand(std::size_t side, std::uint32_t number, const BoxNumber& other) {
     const OrientedBlock& own = block(side, number);
     const Seen box = seen_box(side, other.block, other.lane);
-    bounds_of(walk_.view(side), own, box, bounds_);
+    bound(side, own, box, block(side ^ 1, other.block).child[other.lane]);
     f_.counts.volume_tests += own.count;
     std::uint32_t nearest = 0;
     for (std::uint32_t lane = 1; lane < own.count; ++lane)
@@ -193,9 +237,9 @@ class NearRun {
     const OrientedBlock& other = block(side ^ 1, entry.second >> 3);
     const std::size_t other_lane = entry.second & 7U;
     const Seen box = seen_box(side, entry.second >> 3, other_lane);
-    bounds_of(walk_.view(side), own, box, bounds_);
-    f_.counts.volume_tests += own.count;
     const std::int32_t other_child = other.child[other_lane];
+    bound(side, own, box, other_child);
+    f_.counts.volume_tests += own.count;
     // Bits instead of a test of each, which would be foretold wrongly time and again.
     for (std::uint32_t near = lanes_in_reach(own.count); near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
@@ -263,6 +307,7 @@ class NearRun {
   NearFrontier& f_;
   NearQuestion& question_;
   std::array<SeenBlocks, 2> seen_;
+  std::array<BesideTriangle, 2> beside_;
   BlockBounds bounds_{};
   bool opens_own_ = false;
   std::size_t bucket_ = 0;

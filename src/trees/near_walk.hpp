@@ -82,6 +82,11 @@ struct NearFrontier {
 struct NearBvh {
   std::span<const OrientedBlock> blocks;
   std::span<const Index> items;
+
+  // Where the items are triangles of a mesh: they, and what brings their corners into the tree's units.
+  const TriangleMesh* mesh = nullptr;
+  Vec3 origin{};
+  double unit = 1;
 };
 
 /// How far the boxes of a block are from a box of the other tree.

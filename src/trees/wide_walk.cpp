@@ -333,7 +333,7 @@ void hand_on(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor, std::s
 }
 
 /// A pair that a region left.
-void find(const WideWalk& walk, WideFrontier& f, std::size_t side, Index own, Index other, WideVisitor& visitor) {
+void add_found(const WideWalk& walk, WideFrontier& f, std::size_t side, Index own, Index other, WideVisitor& visitor) {
   for (auto& places : f.places)
     if (places.size() <= f.pair_count) places.resize(2 * f.pair_count + 16);
   f.places[side][f.pair_count] = own;
@@ -351,7 +351,7 @@ void compare_regions(const WideWalk& walk, WideFrontier& f, WideVisitor& visitor
     if (i == 0 || other != f.beside[i - 1] || side != (f.below[i - 1] & 1U))
       region = visitor.region_of(side ^ 1U, walk.tree(side ^ 1U).items[other]);
     const auto find_own = [&](Index own) {
-      find(walk, f, side, own, other, visitor);
+      add_found(walk, f, side, own, other, visitor);
       return !f.ended;
     };
     f.counts.volume_tests += walk_probe_below(walk.tree(side), f.below[i] >> 1, region, find_own);

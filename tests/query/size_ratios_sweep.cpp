@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "support/case_seeds.hpp"
+#include "support/mesh_distances.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/size_ratios.hpp"
@@ -8,23 +9,34 @@
 namespace toccata::test {
 namespace {
 
-std::string fault_of_size_ratio(const std::string& family, std::uint64_t seed) {
+UnlikeSizes unlike_sizes(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const double ratio = std::pow(10, random.between(-6, 0));
-  const UnlikeSizes pair = random_unlike_sizes(family, ratio, random);
-  return fault_of_surface_queries(pair.large, pair.small, pair.query);
+  return random_unlike_sizes(family, ratio, random);
 }
 
 SweepResult run_size_ratios(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
   return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
-    const std::string fault = fault_of_size_ratio(family, case_seed);
+    const UnlikeSizes pair = unlike_sizes(family, case_seed);
+    const std::string fault = fault_of_surface_queries(pair.large, pair.small, pair.query);
     return fault.empty() ? fault : fault + " differs from brute force";
+  });
+}
+
+SweepResult run_distances(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  return run_cases_at_simd_levels(family, seed, cases, [&](std::uint64_t case_seed) {
+    const UnlikeSizes pair = unlike_sizes(family, case_seed);
+    return fault_of_surface_distance(pair.large, pair.small, pair.query);
   });
 }
 
 // Overlap, first contact and all contacts of a mesh and one that is up to a million times smaller, against brute force,
 // both ways round, the SIMD levels in turn.
 const bool size_ratios_known = register_sweep({"size-ratios", pose_families(), 100000, 1000, run_size_ratios});
+
+// Their distances against the certified distance of every pair of triangles, both ways round, warm and cold.
+const bool unlike_distances_known =
+    register_sweep({"distances-of-unlike-sizes", pose_families(), 10000, 100, run_distances});
 
 }  // namespace
 }  // namespace toccata::test

@@ -6,11 +6,13 @@
 
 #include "oracle/rational.hpp"
 #include "query/meshes/world_search.hpp"
+#include "support/mesh_distances.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/contacts.hpp"
+#include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 
 namespace toccata {
@@ -82,6 +84,15 @@ TEST(SizeRatios, AreAsBruteForceAtEveryLevelAndThreadCount) {
   EXPECT_GT(met, 20);
 }
 
+TEST(SizeRatios, DistancesAreThoseOfThePairs) {
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      Random random(seed);
+      const test::UnlikeSizes pair = test::random_unlike_sizes(family, std::pow(10, random.between(-6, 0)), random);
+      EXPECT_EQ(test::fault_of_surface_distance(pair.large, pair.small, pair.query), "") << family << ", seed " << seed;
+    }
+}
+
 /// Boxes and pairs of triangles that a yes or no about a small ball just above or just within a slanted face takes.
 WalkCounts counts_of_small_ball(double ratio, double height) {
   const Model floor(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}));
@@ -102,6 +113,19 @@ TEST(SizeRatios, AQuestionDoesNotGrowWithTheRatio) {
       EXPECT_LT(counts.volume_tests, 1000U) << ratio << ", " << height;
       EXPECT_LT(counts.items, 300U) << ratio << ", " << height;
     }
+}
+
+TEST(SizeRatios, ADistanceDoesNotGrowWithTheRatio) {
+  // The ball lies beside the longest side of a triangle, within the triangle's oriented box.
+  const Model floor(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  for (const double ratio : {1e-1, 1e-2, 1e-3, 1e-6}) {
+    const Model ball(scaled_mesh(icosphere_mesh(1, 5), ratio));
+    Workspace workspace;
+    const PairQuery query{Pose{}, Pose{Mat3{}, {0.5 + ratio, 0.5 + ratio, 0}}, Solid::none, Solid::none};
+    const Distance found = distance(floor, ball, query, workspace);
+    EXPECT_NEAR(found.upper / ratio, std::sqrt(2.0) - 1, 0.01);
+    EXPECT_LT(workspace.counts().volume_tests, 2000U) << ratio;
+  }
 }
 
 }  // namespace

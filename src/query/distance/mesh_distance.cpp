@@ -123,6 +123,12 @@ Distance with_faces(Distance d, const PosedMesh& a) {
 
 Distance at_common_point(const Vec3& point) { return {0, 0, point, point, Status::exact}; }
 
+NearBvh near_bvh(const PosedMesh& mesh) {
+  const Model& model = mesh.model();
+  const WideBvh& tree = model.wide_bvh();
+  return {model.oriented_boxes(), tree.items, &model.mesh(), tree.origin, tree.unit};
+}
+
 /// Shows the question the pair that was nearest before, and then all others that may matter.
 void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, NearQuestion& question) {
   const ItemPair warm{scratch.convex.element_a, scratch.convex.element_b};
@@ -155,8 +161,7 @@ void ask_near(const PosedMesh& a, const Shape& b, SearchScratch& scratch, NearQu
   if (question.limit() >= 0) {
     const ConvexNearBvh shape(b);
     const NearFrame frame = near_frame(a);
-    const NearWalk walk({a.model().oriented_boxes(), a.model().wide_bvh().items}, shape.tree(),
-                        near_view(frame, shape.frame), near_view(shape.frame, frame));
+    const NearWalk walk(near_bvh(a), shape.tree(), near_view(frame, shape.frame), near_view(shape.frame, frame));
     walk.run(scratch.near, question);
   }
   scratch.counts = scratch.near.counts;
@@ -253,10 +258,7 @@ Distance outer_distance(const PosedMesh& a, const PosedHalfSpace& b) {
 
 NearWalk near_walk(const PosedMesh& a, const PosedMesh& b) {
   const NearFrame frame_a = near_frame(a), frame_b = near_frame(b);
-  return {{a.model().oriented_boxes(), a.model().wide_bvh().items},
-          {b.model().oriented_boxes(), b.model().wide_bvh().items},
-          near_view(frame_a, frame_b),
-          near_view(frame_b, frame_a)};
+  return {near_bvh(a), near_bvh(b), near_view(frame_a, frame_b), near_view(frame_b, frame_a)};
 }
 
 Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
