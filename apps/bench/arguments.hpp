@@ -14,6 +14,7 @@ struct MeshArguments {
   std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
   std::uint64_t seed = 1;
   bool near = false;
+  double size_b = 0;     ///< B's diagonal as a part of A's; 0: as it is
   double gap = 0;        ///< of coherent-distance: how far the ways are moved apart, in the same unit
   double motion = 0.01;  ///< of coherent-distance: a step, as a part of the smaller diagonal
   std::string task = "overlap";

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -10,6 +11,7 @@
 #include "single_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/simd.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -47,6 +49,18 @@ std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh&
                             : task_of(arguments.task) == Task::distance ? Nearness::separated
                                                                         : Nearness::jittered;
   return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness, 0);
+}
+
+double diagonal_of(const TriangleMesh& mesh) {
+  const Aabb box = fit_aabb(mesh.vertices());
+  return std::sqrt(dot(box.upper - box.lower, box.upper - box.lower));
+}
+
+SharedMesh of_wanted_size(const SharedMesh& b, const TriangleMesh& a, const MeshArguments& arguments) {
+  if (arguments.size_b == 0) return b;
+  const double factor = arguments.size_b * diagonal_of(a) / diagonal_of(*b);
+  if (!(factor > 0) || !std::isfinite(factor)) throw Error("--size-b: one of the meshes has no size");
+  return std::make_shared<const TriangleMesh>(scaled_mesh(*b, factor));
 }
 
 void require_rigid(const std::vector<PosePair>& poses, const std::string& file) {
@@ -118,6 +132,7 @@ nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedM
           {"mesh_b", arguments.mesh_b},
           {"triangles_a", a->triangle_count()},
           {"triangles_b", b->triangle_count()},
+          {"size_b", arguments.size_b},
           {"poses", arguments.poses.empty() ? (arguments.near ? "near contact" : "random") : arguments.poses},
           {"seed", arguments.seed},
           {"clock", arguments.clock},
@@ -131,7 +146,7 @@ int run_mesh(const MeshArguments& arguments) {
     throw Error("--clock thread tells only what one thread does; leave --threads out");
   if (!arguments.simd.empty()) use_simd_level(level_named(arguments.simd));
   MeshLibraries libraries = mesh_libraries(arguments.peers);
-  const SharedMesh a = single_mesh(arguments.mesh_a), b = single_mesh(arguments.mesh_b);
+  const SharedMesh a = single_mesh(arguments.mesh_a), b = of_wanted_size(single_mesh(arguments.mesh_b), *a, arguments);
   const Task task = task_of(arguments.task);
   const std::vector<PosePair> poses = task == Task::build ? std::vector<PosePair>{} : poses_of(arguments, a, b);
   if (!arguments.peers.empty()) require_rigid(poses, arguments.poses);

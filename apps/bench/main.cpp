@@ -91,6 +91,8 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                    "this many random poses near contact (1000); with --poses: its poses, both objects moved together")
       ->check(positive());
   mesh->add_flag("--near", arguments.near, "random poses within 1e-6 to 1e-14 of contact instead of 2 %");
+  mesh->add_option("--size-b", arguments.size_b, "B is scaled: its diagonal becomes this part of A's")
+      ->check(CLI::Range(1e-6, 1e6));
   mesh->add_option("--task", arguments.task, "what to ask")
       ->check(CLI::IsMember({"overlap", "contacts", "distance", "coherent-distance", "build"}))
       ->capture_default_str();

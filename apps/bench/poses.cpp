@@ -51,24 +51,35 @@ struct PairWithExtents {
   Extent extent_b = extent_of(b.mesh());
 };
 
-/// Two turned meshes, B's centre being moved away from A's along a direction.
+/// The middle of a random triangle.
+Vec3 random_place_on(const TriangleMesh& mesh, Random& random) {
+  const auto& corner = mesh.triangles()[random.below(mesh.triangle_count())];
+  const std::span<const Vec3> v = mesh.vertices();
+  return (1 / 3.0) * ((v[corner[0]] + v[corner[1]]) + v[corner[2]]);
+}
+
+/// Two turned meshes, a point of B being moved away from one of A along a direction: from centre to centre, or, where
+/// one mesh is so much smaller that it would hardly ever be met, from its centre to anywhere on the other's surface.
 class Approach {
  public:
   Approach(const PairWithExtents& pair, Random& random) : pair_(pair), direction_(uniform_direction(random)) {
-    pose_a_ = {uniform_rotation(random), random_vector(random, pair.extent_a.diagonal)};
+    const double diagonal_a = pair.extent_a.diagonal, diagonal_b = pair.extent_b.diagonal;
+    pose_a_ = {uniform_rotation(random), random_vector(random, diagonal_a)};
     rotation_b_ = uniform_rotation(random);
-    centre_a_ = transform(pose_a_, pair.extent_a.centre);
-    apart_ = 0.51 * (pair.extent_a.diagonal + pair.extent_b.diagonal);
+    const bool small_a = diagonal_a < unlike * diagonal_b, small_b = diagonal_b < unlike * diagonal_a;
+    point_a_ = transform(pose_a_, small_b ? random_place_on(pair.a.mesh(), random) : pair.extent_a.centre);
+    point_b_ = small_a ? random_place_on(pair.b.mesh(), random) : pair.extent_b.centre;
+    apart_ = small_a || small_b ? 1.02 * std::min(diagonal_a, diagonal_b) : 0.51 * (diagonal_a + diagonal_b);
   }
 
   PosePair at(double distance) const {
-    const Vec3 turned_centre = transform({rotation_b_, {}}, pair_.extent_b.centre);
-    return {pose_a_, {rotation_b_, centre_a_ + distance * direction_ - turned_centre}};
+    return {pose_a_, {rotation_b_, point_a_ + distance * direction_ - transform({rotation_b_, {}}, point_b_)}};
   }
 
   /// The distance of the outermost contact, up to 2^-steps of the way; nothing when none is seen.
   std::optional<double> contact(int steps) const {
     constexpr int looks = 16;
+    if (meets(apart_)) return std::nullopt;
     int look = looks - 1;
     while (look >= 0 && !meets(apart_ * look / looks)) --look;
     if (look < 0) return std::nullopt;
@@ -78,6 +89,8 @@ class Approach {
   }
 
  private:
+  static constexpr double unlike = 0.25;
+
   bool meets(double distance) const {
     const PosePair poses = at(distance);
     return overlap(pair_.a, pair_.b, {poses.a, poses.b, Solid::none, Solid::none});
@@ -87,7 +100,8 @@ class Approach {
   Vec3 direction_;
   Pose pose_a_;
   Mat3 rotation_b_;
-  Vec3 centre_a_;
+  Vec3 point_a_;
+  Vec3 point_b_;  ///< in its own frame
   double apart_ = 0;
 };
 
