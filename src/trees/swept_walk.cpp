@@ -83,16 +83,27 @@ double SweptWalk::extent(const Heights& heights) const {
   return sum;
 }
 
-SweptWalk::Times SweptWalk::times(std::size_t side, const WideBlock& block, const Heights& other) const {
+/// Of the boxes of `side` and a single item that they are small beside; none of others.
+std::span<const SweptDirection> SweptWalk::directions_beside(const SweptFrontier::Entry& entry, std::size_t side,
+                                                             const std::array<Heights, 2>& along) const {
+  const std::size_t other = 1 - side;
+  if (items_ == nullptr || !is_item(other, entry.at[other]) || 2 * extent(along[side]) > extent(along[other]))
+    return {};
+  return items_->directions_beside(other, item(other, entry.at[other]));
+}
+
+SweptWalk::Times SweptWalk::times(std::size_t side, const WideBlock& block, const Heights& other,
+                                  std::span<const SweptDirection> beside) const {
   Passage passage;
   passage.leave.fill(never);
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const SweptDirection& d = directions_[i];
+  const auto look_along = [&](const SweptDirection& d, const HeightRange& range) {
     if (side == 1)
-      narrow(block, d.form[1], d.offset[1], other[i], d, passage);
+      narrow(block, d.form[1], d.offset[1], range, d, passage);
     else
-      narrow(block, -d.form[0], -d.offset[0], {-other[i].high, -other[i].low}, d, passage);
-  }
+      narrow(block, -d.form[0], -d.offset[0], {-range.high, -range.low}, d, passage);
+  };
+  for (std::size_t i = 0; i < directions_.size(); ++i) look_along(directions_[i], other[i]);
+  for (const SweptDirection& d : beside) look_along(d, d.whole[1 - side]);
   Times times;
   for (std::size_t i = 0; i < lanes; ++i) {
     // Differences are rounded within the pad; the times themselves by less than this.
@@ -109,7 +120,7 @@ void SweptWalk::expand(const SweptFrontier::Entry& entry, double limit, SweptFro
   const std::size_t side = splits_first ? 0 : 1;
   const std::uint32_t number = block_below(side, entry.at[side]);
   const WideBlock& block = trees_[side]->blocks[number];
-  const Times when = times(side, block, along[1 - side]);
+  const Times when = times(side, block, along[1 - side], directions_beside(entry, side, along));
   frontier.counts.volume_tests += block.count;
   for (std::uint32_t lane = 0; lane < block.count; ++lane) {
     if (when[lane] > limit) continue;

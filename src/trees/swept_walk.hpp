@@ -38,13 +38,24 @@ struct SweptFrontier {
   WalkCounts counts;
 };
 
+/// Directions that tell boxes from an item better than its own box does, where they are small beside it. Of the item's
+/// side `whole` is of the item.
+class SweptItems {
+ public:
+  [[nodiscard]] virtual std::span<const SweptDirection> directions_beside(std::size_t side, Index item) = 0;
+
+ protected:
+  ~SweptItems() = default;
+};
+
 /// A walk over two trees of which the first moves straight on, or over one and a thing that is a single item: what may
 /// meet first comes first.
 class SweptWalk {
  public:
   /// A tree is null where the thing is one item, of number 0; else it is not empty.
-  SweptWalk(std::array<const WideBvh*, 2> trees, std::span<const SweptDirection> directions)
-      : trees_(trees), directions_(directions) {}
+  SweptWalk(std::array<const WideBvh*, 2> trees, std::span<const SweptDirection> directions,
+            SweptItems* items = nullptr)
+      : trees_(trees), directions_(directions), items_(items) {}
 
   static constexpr std::size_t most_directions = 13;
 
@@ -62,11 +73,15 @@ class SweptWalk {
   [[nodiscard]] std::uint32_t block_below(std::size_t side, std::uint32_t at) const;
   [[nodiscard]] Heights heights(std::size_t side, std::uint32_t at) const;
   [[nodiscard]] double extent(const Heights& heights) const;
-  [[nodiscard]] Times times(std::size_t side, const WideBlock& block, const Heights& other) const;
+  [[nodiscard]] std::span<const SweptDirection> directions_beside(const SweptFrontier::Entry& entry, std::size_t side,
+                                                                  const std::array<Heights, 2>& along) const;
+  [[nodiscard]] Times times(std::size_t side, const WideBlock& block, const Heights& other,
+                            std::span<const SweptDirection> beside) const;
   void expand(const SweptFrontier::Entry& entry, double limit, SweptFrontier& frontier) const;
 
   std::array<const WideBvh*, 2> trees_;
   std::span<const SweptDirection> directions_;
+  SweptItems* items_;
 };
 
 }  // namespace toccata

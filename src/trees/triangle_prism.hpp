@@ -5,22 +5,19 @@
 #include <cmath>
 #include <cstddef>
 
-#include "math/vec3_measures.hpp"
 #include "toccata/math/vec3.hpp"
 #include "trees/oriented_boxes.hpp"
+#include "trees/prism_directions.hpp"
 
 namespace toccata {
 
-/// The prism that stands on a triangle: what of space its normal and the normals of its sides in its plane do not tell
-/// from it. Boxes that are small beside the triangle are told from it so much better than from its box.
+/// The prism that stands on a triangle (prism_directions.hpp).
 class TrianglePrism {
  public:
   TrianglePrism() = default;
   explicit TrianglePrism(const std::array<Vec3, 3>& corners) {
-    const std::array<Vec3, 3> sides{corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]};
-    const Vec3 normal = unit_or_zero(cross(unit_or_zero(sides[0]), unit_or_zero(sides[1])));
-    put(0, normal, corners);
-    for (std::size_t i = 0; i < 3; ++i) put(i + 1, unit_or_zero(cross(normal, unit_or_zero(sides[i]))), corners);
+    const std::array<Vec3, 4> directions = prism_directions(corners);
+    for (std::size_t i = 0; i < 4; ++i) put(i, directions[i], corners);
   }
 
   /// How far the box of a lane is from it along one of the normals, in the block's units; 0 where none says more.

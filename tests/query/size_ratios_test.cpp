@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "oracle/rational.hpp"
+#include "query/mesh_casts_checks.hpp"
 #include "query/meshes/world_search.hpp"
 #include "support/mesh_distances.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/query/casts.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
@@ -63,7 +65,7 @@ TEST(SizeRatios, AreAsBruteForceAtEveryLevelAndThreadCount) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       SCOPED_TRACE(family + ", seed " + std::to_string(seed));
       Random random(seed);
-      const test::UnlikeSizes pair = test::random_unlike_sizes(family, std::pow(10, random.between(-6, 0)), random);
+      const test::UnlikeSizes pair = test::random_unlike_sizes(family, random);
       const std::vector<Contact> expected = test::contacts_by_brute_force(pair.large, pair.small, pair.query);
       met += expected.empty() ? 0 : 1;
       Workspace workspace;
@@ -88,8 +90,18 @@ TEST(SizeRatios, DistancesAreThoseOfThePairs) {
   for (const std::string& family : test::pose_families())
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       Random random(seed);
-      const test::UnlikeSizes pair = test::random_unlike_sizes(family, std::pow(10, random.between(-6, 0)), random);
+      const test::UnlikeSizes pair = test::random_unlike_sizes(family, random);
       EXPECT_EQ(test::fault_of_surface_distance(pair.large, pair.small, pair.query), "") << family << ", seed " << seed;
+    }
+}
+
+TEST(SizeRatios, CastsAreThoseOfThePairs) {
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      Random random(seed);
+      const test::UnlikeSizes pair = test::random_unlike_sizes(family, random);
+      const Vec3 motion = test::random_vector(random, 3 * pair.ratio);
+      EXPECT_EQ(test::mesh_cast_fault(pair.large, motion, pair.small, pair.query), "") << family << ", seed " << seed;
     }
 }
 
@@ -113,6 +125,21 @@ TEST(SizeRatios, AQuestionDoesNotGrowWithTheRatio) {
       EXPECT_LT(counts.volume_tests, 1000U) << ratio << ", " << height;
       EXPECT_LT(counts.items, 300U) << ratio << ", " << height;
     }
+}
+
+TEST(SizeRatios, ACastDoesNotGrowWithTheRatio) {
+  // The ball flies along a slanted triangle whose box it does not leave.
+  const Model floor(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  const Mat3 turn = rotation_about({0.6, 0.8, 0}, 40);
+  for (const double ratio : {1e-1, 1e-2, 1e-3, 1e-6}) {
+    const Model ball(scaled_mesh(icosphere_mesh(1, 5), ratio));
+    const Pose start = Pose{turn, {}} * Pose{Mat3{}, {0.3, 0.3, 1.01 * ratio}};
+    const Vec3 motion = transform(Pose{turn, {}}, Vec3{ratio, ratio, 0});
+    Workspace workspace;
+    const PairQuery query{start, {turn, {}}, Solid::none, Solid::none};
+    EXPECT_FALSE(cast_shape(ball, motion, floor, query, workspace).hit);
+    EXPECT_LT(workspace.counts().volume_tests, 3000U) << ratio;
+  }
 }
 
 TEST(SizeRatios, ADistanceDoesNotGrowWithTheRatio) {

@@ -1,5 +1,7 @@
 #include "support/size_ratios.hpp"
 
+#include <cmath>
+
 #include "support/mesh_soups.hpp"
 #include "toccata/generate/meshes.hpp"
 
@@ -43,7 +45,12 @@ UnlikeSizes random_unlike_sizes(const std::string& family, double ratio, Random&
   const Vec3 off = random.below(2) == 0 ? Vec3{} : random_vector(random, ratio);
   query.pose_b.offset =
       transform(query.pose_a, random_point_of(place, random)) - transform({query.pose_b.linear, {}}, vertex + off);
-  return {Model(std::move(large)), Model(std::move(small)), query};
+  return {Model(std::move(large)), Model(std::move(small)), query, ratio};
+}
+
+UnlikeSizes random_unlike_sizes(const std::string& family, Random& random) {
+  const double ratio = std::pow(10, random.between(-6, 0));
+  return random_unlike_sizes(family, ratio, random);
 }
 
 }  // namespace toccata::test

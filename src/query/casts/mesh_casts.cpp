@@ -44,6 +44,30 @@ Index face_of(const Shape&, Index) {
 template <class A, class B>
 constexpr bool has_quadric_side = std::same_as<A, PosedQuadric> || std::same_as<B, PosedQuadric>;
 
+/// The directions beside triangles of two meshes; those that were asked for lately are kept.
+class TrianglesBeside final : public SweptItems {
+ public:
+  TrianglesBeside(const PosedMesh& a, const Vec3& motion, const PosedMesh& b) : a_(a), motion_(motion), b_(b) {}
+
+  [[nodiscard]] std::span<const SweptDirection> directions_beside(std::size_t side, Index triangle) override {
+    std::optional<Kept>& kept = kept_[(2 * triangle + side) % kept_.size()];
+    if (!kept || kept->side != side || kept->triangle != triangle)
+      kept.emplace(Kept{side, triangle, SweptView(a_, motion_, b_, side, triangle)});
+    return kept->view.directions();
+  }
+
+ private:
+  struct Kept {
+    std::size_t side;
+    Index triangle;
+    SweptView view;
+  };
+  const PosedMesh& a_;
+  const Vec3& motion_;
+  const PosedMesh& b_;
+  std::array<std::optional<Kept>, 32> kept_;
+};
+
 /// The first two items that meet; of meshes, their surfaces alone.
 template <class A, class B>
 class FirstMeeting {
@@ -55,7 +79,16 @@ class FirstMeeting {
     scratch_.counts = {};
     scratch_.casts.clear();
     const SweptView view(a_, motion_, b_);
-    const SweptWalk walk({tree_of(a_), tree_of(b_)}, view.directions());
+    if constexpr (std::same_as<A, PosedMesh> && std::same_as<B, PosedMesh>) {
+      TrianglesBeside beside(a_, motion_, b_);
+      return answer_of(SweptWalk({tree_of(a_), tree_of(b_)}, view.directions(), &beside));
+    } else {
+      return answer_of(SweptWalk({tree_of(a_), tree_of(b_)}, view.directions()));
+    }
+  }
+
+ private:
+  std::optional<ShapeHit> answer_of(const SweptWalk& walk) {
     walk.run(scratch_.swept, limit_, [this](ItemPair items) {
       if constexpr (has_quadric_side<A, B>)
         look_at(items);
@@ -68,7 +101,6 @@ class FirstMeeting {
     return first_;
   }
 
- private:
   void cast(ItemPair items) {
     const auto found =
         cast_convex_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_.convex);

@@ -9,6 +9,7 @@
 #include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/pair_cull.hpp"
+#include "trees/prism_directions.hpp"
 
 // The names and the bounds are those of docs/design/culling.md.
 namespace toccata {
@@ -78,6 +79,15 @@ HeightsAlong along(const PosedHalfSpace& half_space, const Vec3& direction) {
   return result;
 }
 
+Vec3 upwards(const Vec3& direction, const Vec3& motion) { return dot(direction, motion) < 0 ? -direction : direction; }
+
+/// No more of rounding than of the mesh that it is of.
+HeightRange heights_of(const Triangle& triangle, const Vec3& direction) {
+  const auto [low, high] =
+      std::minmax({dot(direction, triangle[0]), dot(direction, triangle[1]), dot(direction, triangle[2])});
+  return {low, high};
+}
+
 bool is_usable(const SweptDirection& d, double size) {
   return size < largest_swept_size && d.pad < largest_swept_size && std::isfinite(d.per_speed) &&
          is_finite(d.form[0]) && is_finite(d.form[1]) && std::isfinite(d.offset[0]) && std::isfinite(d.offset[1]);
@@ -89,11 +99,11 @@ bool is_usable(const SweptDirection& d, double size) {
 /// so that the speed need not be 0.
 template <class A, class B>
 void SweptView::add(const A& a, const Vec3& motion, const B& b, const Vec3& direction) {
-  const Vec3 upwards = dot(direction, motion) < 0 ? -direction : direction;
-  const HeightsAlong of_a = along(a, upwards), of_b = along(b, upwards);
-  const double speed = dot(upwards, motion), moved = dot(magnitudes(upwards), magnitudes(motion));
+  const Vec3 up = upwards(direction, motion);
+  const HeightsAlong of_a = along(a, up), of_b = along(b, up);
+  const double speed = dot(up, motion), moved = dot(magnitudes(up), magnitudes(motion));
   const double size = (of_a.size + of_b.size) + moved;
-  const double underflowed = (1 + sum_of_magnitudes(upwards)) + (of_a.coordinates + of_b.coordinates);
+  const double underflowed = (1 + sum_of_magnitudes(up)) + (of_a.coordinates + of_b.coordinates);
   const double pad = 64 * unit_roundoff * size + (64 * smallest_double * underflowed + 0x1p-960);
   SweptDirection result;
   result.form = {of_a.form, of_b.form};
@@ -120,6 +130,15 @@ void SweptView::add_around(const PosedMesh& mesh, const A& a, const Vec3& motion
 SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b) {
   const PairCull cull(a, b);
   for (const CullDirection& d : cull.directions()) add(a, motion, b, d.world);
+}
+
+SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b, std::size_t side, Index triangle) {
+  const Triangle of_side = (side == 0 ? a : b).triangle(triangle);
+  for (const Vec3& direction : prism_directions(of_side.vertex)) {
+    const std::size_t before = count_;
+    add(a, motion, b, direction);
+    if (count_ > before) directions_[before].whole[side] = heights_of(of_side, upwards(direction, motion));
+  }
 }
 
 SweptView::SweptView(const PosedMesh& a, const Vec3& motion, const PosedPolytope& b) { add_around(a, a, motion, b); }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "query/posed_shape.hpp"
+#include "toccata/core/index.hpp"
 #include "trees/swept_walk.hpp"
 
 namespace toccata {
@@ -20,6 +21,10 @@ class SweptView {
   SweptView(const PosedQuadric& a, const Vec3& motion, const PosedMesh& b);
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b);
   SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b);
+
+  /// Of a triangle of a mesh on `side`, and boxes of the other mesh that are small beside it: its normal and those of
+  /// its sides in its plane.
+  SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b, std::size_t side, Index triangle);
 
   [[nodiscard]] std::span<const SweptDirection> directions() const { return {directions_.data(), count_}; }
 

@@ -8,6 +8,7 @@
 #include "math/vec3_measures.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/wide_cull.hpp"
+#include "trees/prism_directions.hpp"
 
 namespace toccata {
 namespace {
@@ -116,12 +117,9 @@ RegionDirection along(const PosedMesh& mesh, const Vec3& direction, const Triang
 }  // namespace
 
 WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle) {
-  const std::array<Vec3, 3> sides{unit_or_zero(triangle[1] - triangle[0]), unit_or_zero(triangle[2] - triangle[1]),
-                                  unit_or_zero(triangle[0] - triangle[2])};
-  const Vec3 normal = unit_or_zero(cross(sides[0], sides[1]));
   WideProbe probe;
-  add_usable(along(mesh, normal, triangle), mesh, probe);
-  for (const Vec3& side : sides) add_usable(along(mesh, unit_or_zero(cross(normal, side)), triangle), mesh, probe);
+  for (const Vec3& direction : prism_directions(triangle.vertex))
+    add_usable(along(mesh, direction, triangle), mesh, probe);
   return probe;
 }
 
