@@ -80,10 +80,7 @@ class Sweep {
 
   void require_defined() {
     const PosedModelPair models(model_a_, model_b_, start_, workspace_.scratch());
-    models.visit([&](const PosedPart& a, const PosedPart& b) {
-      require_answered(ShapeQuestion::cast_shape, a.kind, b.kind);
-      return true;
-    });
+    require_all_answered(ShapeQuestion::cast_shape, models.a, models.b);
   }
 
   std::optional<ShapeHit> at_start() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <optional>
 #include <string_view>
@@ -75,6 +76,19 @@ auto ask(const Asked& question, const PosedPart& a, const PosedPart& b) {
   return std::visit([&](const auto& x, const auto& y) { return ask(question, x, y); }, a.shape, b.shape);
 }
 
+/// Throws Error for what the table does not define of any two parts, the first two of each two kinds.
+inline void require_all_answered(ShapeQuestion question, const PosedModel& a, const PosedModel& b) {
+  const auto kinds_of = [](const PosedModel& model) {
+    std::array<bool, shape_kind_count> kinds{};
+    for (const PosedPart& part : model.parts) kinds[static_cast<std::size_t>(part.kind)] = true;
+    return kinds;
+  };
+  const auto kinds_a = kinds_of(a), kinds_b = kinds_of(b);
+  for (std::size_t i = 0; i < shape_kind_count; ++i)
+    for (std::size_t j = 0; j < shape_kind_count; ++j)
+      if (kinds_a[i] && kinds_b[j]) require_answered(question, static_cast<ShapeKind>(i), static_cast<ShapeKind>(j));
+}
+
 /// Two models at their places, each the union of its parts. The parts lie in memory that is lent by a scratch.
 struct PosedModelPair {
   PosedModelPair(const Model& model_a, const Model& model_b, const PairQuery& query, SearchScratch& scratch)
@@ -87,14 +101,6 @@ struct PosedModelPair {
   }
   PosedModelPair(const PosedModelPair&) = delete;
   PosedModelPair& operator=(const PosedModelPair&) = delete;
-
-  /// Calls `see(part of a, part of b)` for all pairs, ascending, until it returns false.
-  template <class See>
-  void visit(const See& see) const {
-    for (const PosedPart& part_a : a.parts)
-      for (const PosedPart& part_b : b.parts)
-        if (!see(part_a, part_b)) return;
-  }
 
   /// Each of the two is one part.
   [[nodiscard]] bool are_single() const { return a.parts.size() == 1 && b.parts.size() == 1; }

@@ -75,10 +75,30 @@ auto naming(std::string_view who, const Make& make) {
   }
 }
 
-void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_view who, PosedModel& posed) {
+/// What an error calls a part; written only where there is one.
+struct PartName {
+  std::string_view who;
+  const PartName* whole = nullptr;
+  std::size_t part = 0;
+
+  [[nodiscard]] std::string text() const {
+    return whole == nullptr ? std::string(who) : fmt::format("{}, part {}", whole->text(), part);
+  }
+};
+
+PosedShape pose_part(const Model& model, const Pose& pose, Solid solid, const PartName& name) {
+  if (name.whole == nullptr) return pose_shape(model, pose, solid, name.who);
+  try {
+    return pose_shape(model, pose, solid, "a part");
+  } catch (const Error&) {
+    return pose_shape(model, pose, solid, name.text());
+  }
+}
+
+void add_parts(const Model& model, const Pose& pose, Solid solid, const PartName& name, PosedModel& posed) {
   const auto* compound = std::get_if<Compound>(&model.shape());
   if (compound == nullptr) {
-    PosedPart part{pose_shape(model, pose, solid, who), kind_of(model.shape())};
+    PosedPart part{pose_part(model, pose, solid, name), kind_of(model.shape())};
     if (!posed.parts.empty()) {
       const PosedPart& last = posed.parts.back();
       const auto* triangles = std::get_if<PosedTriangles>(&last.shape);
@@ -88,11 +108,8 @@ void add_parts(const Model& model, const Pose& pose, Solid solid, std::string_vi
     posed.parts.push_back(std::move(part));
     return;
   }
-  for (std::size_t i = 0; i < model.parts().size(); ++i) {
-    fmt::memory_buffer name;  // a string would be allocated
-    fmt::format_to(std::back_inserter(name), "{}, part {}", who, i);
-    add_parts(model.parts()[i], pose * compound->parts()[i].pose, solid, {name.data(), name.size()}, posed);
-  }
+  for (std::size_t i = 0; i < model.parts().size(); ++i)
+    add_parts(model.parts()[i], pose * compound->parts()[i].pose, solid, {{}, &name, i}, posed);
 }
 
 }  // namespace
@@ -133,7 +150,7 @@ PosedModel pose_model(const Model& model, const Pose& pose, Solid solid, std::st
                       std::vector<PosedPart> memory) {
   memory.clear();
   PosedModel posed{std::move(memory), true};
-  add_parts(model, pose, solid, who, posed);
+  add_parts(model, pose, solid, {who}, posed);
   posed.solid =
       std::all_of(posed.parts.begin(), posed.parts.end(), [](const PosedPart& part) { return is_solid(part.shape); });
   return posed;

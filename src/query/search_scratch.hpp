@@ -12,6 +12,7 @@
 #include "query/inside/winding_entry.hpp"
 #include "query/meshes/found_pairs.hpp"
 #include "query/nearest/nearest_elements.hpp"
+#include "query/part_tree.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/contacts.hpp"
@@ -57,13 +58,15 @@ struct WaitingCast {
   }
 };
 
-/// Two parts of two models, no nearer to each other than the gap of their boxes. The nearest is the greatest, as a heap
-/// has it; of equally near ones the first.
+/// Two parts of two models, or two nodes of the trees over their parts. What has the least bound is the greatest, as a
+/// heap has it; of one bound nodes come first, so that of the parts the first can.
 struct PartPair {
-  double gap;
-  ItemPair parts;
+  double bound;
+  bool are_nodes;
+  ItemPair items;
   friend bool operator<(const PartPair& x, const PartPair& y) {
-    return std::tie(y.gap, y.parts.first, y.parts.second) < std::tie(x.gap, x.parts.first, x.parts.second);
+    return std::tie(y.bound, x.are_nodes, y.items.first, y.items.second) <
+           std::tie(x.bound, y.are_nodes, x.items.first, x.items.second);
   }
 };
 
@@ -77,6 +80,7 @@ struct SearchScratch {
 
   std::array<std::vector<PosedPart>, 2> posed;  ///< of two models: the shapes that they are the union of
   std::array<std::vector<Aabb>, 2> part_boxes;  ///< around them
+  std::array<PartTree, 2> part_trees;           ///< over these
   std::vector<PartPair> part_pairs;             ///< still to be asked: a heap
   std::vector<Contact> part_contacts;           ///< of two of them
   std::vector<Contact> all_contacts;            ///< of all parts of two models

@@ -4,9 +4,11 @@
 #include <optional>
 #include <variant>
 
+#include "math/constants.hpp"
 #include "query/ask.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
+#include "query/near_parts.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 
@@ -52,19 +54,20 @@ std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Mod
                                    double limit, Workspace& workspace) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   const PosedModelPair models(a, b, query, workspace.scratch());
-  models.visit([](const PosedPart& part_a, const PosedPart& part_b) {
-    require_answered(ShapeQuestion::cast_shape, part_a.kind, part_b.kind);
-    return true;
-  });
+  require_all_answered(ShapeQuestion::cast_shape, models.a, models.b);
   std::optional<ShapeHit> first;
-  models.visit([&](const PosedPart& part_a, const PosedPart& part_b) {
+  const auto entry = [&](const Aabb& box_a, const Aabb& box_b) {
+    return is_empty(box_a) ? infinity : box_entry(box_a, motion, box_b);
+  };
+  NearParts pairs(models.a, models.b, entry, limit, workspace.scratch());
+  while (const std::optional<ItemPair> next = pairs.next(limit)) {
+    const PosedPart &part_a = models.a.parts[next->first], &part_b = models.b.parts[next->second];
     const auto found = std::visit(AskCast{motion, limit, workspace.scratch()}, part_a.shape, part_b.shape);
-    if (found && found->hit) {
-      keep_first(first, numbered(*found, part_a, part_b));
-      limit = std::min(limit, first->upper + widest_cast);
-    }
-    return !first || first->upper > 0;
-  });
+    if (!found || !found->hit) continue;
+    keep_first(first, numbered(*found, part_a, part_b));
+    if (first->upper == 0) break;
+    limit = std::min(limit, first->upper + widest_cast);
+  }
   return first;
 }
 

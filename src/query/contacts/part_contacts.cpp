@@ -8,6 +8,7 @@
 #include "query/ask.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "query/near_parts.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
@@ -92,9 +93,12 @@ void append(std::vector<Contact>& to, const PartContacts& from, const PosedPart&
 std::span<const Contact> contacts_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch, int threads) {
   std::vector<Contact>& all = scratch.all_contacts;
   all.clear();
-  for (const PosedPart& part_a : a.parts)
-    for (const PosedPart& part_b : b.parts)
-      append(all, ask(AskContacts{scratch, threads}, part_a, part_b), part_a, part_b);
+  require_all_answered(ShapeQuestion::contacts, a, b);
+  NearParts pairs(a, b, gap_of_parts, 0, scratch);
+  while (const std::optional<ItemPair> next = pairs.next(0)) {
+    const PosedPart &part_a = a.parts[next->first], &part_b = b.parts[next->second];
+    append(all, ask(AskContacts{scratch, threads}, part_a, part_b), part_a, part_b);
+  }
   std::sort(all.begin(), all.end(), [](const Contact& c, const Contact& d) {
     return c.triangle_a != d.triangle_a ? c.triangle_a < d.triangle_a : c.triangle_b < d.triangle_b;
   });

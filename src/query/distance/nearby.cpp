@@ -104,7 +104,7 @@ std::optional<Nearby> nearby(const Model& a, const Model& b, const WantedDistanc
   if (std::isinf(wanted.enough)) return Nearby{{.upper = infinity}};
   if (models.are_single()) return nearby(models.a.parts[0], models.b.parts[0], wanted, scratch);
   NearestParts nearest(wanted, scratch);
-  NearParts pairs(models.a, models.b, nearest.limit(), scratch);
+  NearParts pairs(models.a, models.b, gap_of_parts, nearest.limit(), scratch);
   while (const std::optional<ItemPair> next = pairs.next(nearest.limit()))
     nearest.look_at(models.a.parts[next->first], models.b.parts[next->second]);
   return nearest.answer();

@@ -29,7 +29,7 @@ bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, Sear
   const PosedModelPair models(a, b, query, scratch);
   const AskOverlap question{scratch};
   if (models.are_single()) return ask(question, models.a.parts[0], models.b.parts[0]);
-  NearParts pairs(models.a, models.b, 0, scratch);
+  NearParts pairs(models.a, models.b, gap_of_parts, 0, scratch);
   while (const std::optional<ItemPair> next = pairs.next(0))
     if (ask(question, models.a.parts[next->first], models.b.parts[next->second])) return true;
   return false;

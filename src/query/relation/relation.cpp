@@ -6,6 +6,7 @@
 #include "query/ask.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "query/near_parts.hpp"
 #include "query/posed_mesh_pair.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "query/relation/relation_solids.hpp"
@@ -81,8 +82,11 @@ struct AskRelation {
 Relation relation_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
   if (a.parts.size() == 1 && b.parts.size() == 1) return ask(AskRelation{scratch}, a.parts[0], b.parts[0]);
   RelationOfUnions all(a, b);
-  for (const PosedPart& part_a : a.parts)
-    for (const PosedPart& part_b : b.parts) all.add(ask(AskRelation{scratch}, part_a, part_b));
+  require_all_answered(ShapeQuestion::relation, a, b);
+  // Parts whose boxes are apart are apart.
+  NearParts pairs(a, b, gap_of_parts, 0, scratch);
+  while (const std::optional<ItemPair> next = pairs.next(0))
+    all.add(*next, ask(AskRelation{scratch}, a.parts[next->first], b.parts[next->second]));
   return all.relation();
 }
 

@@ -15,10 +15,8 @@ class RelationOfUnions {
   RelationOfUnions(const PosedModel& a, const PosedModel& b)
       : a_solid_(a.solid), b_solid_(b.solid), covered_a_(a.parts.size()), covered_b_(b.parts.size()) {}
 
-  /// Of the pairs of parts in order, those of A outside.
-  void add(const Relation& found) {
-    const std::size_t part_a = count_ / covered_b_.size(), part_b = count_ % covered_b_.size();
-    ++count_;
+  /// Of two parts; those that are never told are apart.
+  void add(const ItemPair& parts, const Relation& found) {
     meets_ |= found.kind != RelationKind::apart;
     deep_ |= found.kind == RelationKind::overlapping || found.kind == RelationKind::crossing;
     unresolved_ |= found.side_unresolved;
@@ -26,8 +24,8 @@ class RelationOfUnions {
     // A union that is a surface is contained when all of it is in the interior; its solid parts do not tell that.
     const bool as_told = found.a_solid == a_solid_ && found.b_solid == b_solid_;
     const Containment c = as_told ? found.containment : Containment::none;
-    if (c == Containment::a_in_b || c == Containment::equal) covered_a_[part_a] = true;
-    if (c == Containment::b_in_a || c == Containment::equal) covered_b_[part_b] = true;
+    if (c == Containment::a_in_b || c == Containment::equal) covered_a_[parts.first] = true;
+    if (c == Containment::b_in_a || c == Containment::equal) covered_b_[parts.second] = true;
   }
 
   [[nodiscard]] Relation relation() const {
@@ -58,7 +56,6 @@ class RelationOfUnions {
   bool b_solid_;
   std::vector<bool> covered_a_;
   std::vector<bool> covered_b_;
-  std::size_t count_ = 0;
   bool meets_ = false;
   bool deep_ = false;
   bool unresolved_ = false;
