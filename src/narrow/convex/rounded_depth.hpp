@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "narrow/exact/exact_nearest.hpp"
+#include "narrow/exact/nearest_certificate.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
@@ -10,5 +13,8 @@ namespace toccata {
 /// nearest points; where the cores touch, `direction` has to be given: one along which they do not overlap.
 [[nodiscard]] Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
                                         const Vec3& direction_when_touching);
+
+/// The same from nearest points that are unique and known as bounded numbers; nothing when these are not sharp enough.
+[[nodiscard]] std::optional<Penetration> rounded_depth(const CertainNearest& nearest, double radius_a, double radius_b);
 
 }  // namespace toccata
