@@ -38,13 +38,6 @@ double likely_distance(const ExactNearest& nearest) {
   return std::sqrt(nearest_double(nearest.squared_numerator, nearest.squared_denominator, 2 * nearest.exponent));
 }
 
-/// A direction that is rounded is a unit vector up to 2^-50, and may point as far beside.
-double enough_along(const Vec3& direction, double depth) {
-  const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-  if (most == 1 && dot(direction, direction) == 1) return depth;
-  return std::nextafter(depth + 0x1p-50 * depth, infinity);
-}
-
 Vec3 rounded_point(const HomogeneousVector& p, int exponent) {
   const auto along = [&](std::size_t axis) { return nearest_double(p.numerator[axis], p.denominator, exponent); };
   return {along(0), along(1), along(2)};
@@ -58,6 +51,12 @@ std::optional<DoubleBracket> bracket_above_zero(const BoundedNumber& depth) {
 }
 
 }  // namespace
+
+double enough_along(const Vec3& direction, double depth) {
+  const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  if (most == 1 && dot(direction, direction) == 1) return depth;
+  return std::nextafter(depth + 0x1p-50 * depth, infinity);
+}
 
 Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
                           const Vec3& direction_when_touching) {

@@ -14,7 +14,11 @@ namespace toccata {
 [[nodiscard]] Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
                                         const Vec3& direction_when_touching);
 
-/// The same from nearest points that are unique and known as bounded numbers; nothing when these are not sharp enough.
+/// How far to move along a direction that is rounded, a unit vector up to 2^-50 that may point as far beside, to get as
+/// far as the depth along the exact one.
+[[nodiscard]] double enough_along(const Vec3& direction, double depth);
+
+/// `rounded_depth` from nearest points that are unique and known as bounded numbers; nothing when these are not sharp enough.
 [[nodiscard]] std::optional<Penetration> rounded_depth(const CertainNearest& nearest, double radius_a, double radius_b);
 
 }  // namespace toccata
