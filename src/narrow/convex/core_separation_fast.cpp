@@ -104,8 +104,9 @@ class FastSeparation {
     VertexPairs pairs;
     for (std::size_t k = 0; k < 3; ++k) pairs.append(corners.a[k], corners.b[k]);
     const std::optional<PreciseFacet> found = precise_facet(a_, b_, pairs);
-    if (!found || !surrounds(found->separation.lower, &*found)) return {};
-    return found->separation;
+    if (!found) return {};
+    const bool is_nearest = is_certainly_nearest(a_, b_, *found) || surrounds(found->separation.lower, &*found);
+    return is_nearest ? std::optional(found->separation) : std::nullopt;
   }
 
   [[nodiscard]] FacetCorners corners_of(Index f) const {

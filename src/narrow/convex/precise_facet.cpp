@@ -9,6 +9,17 @@
 #include "narrow/convex/rounded_depth.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 
+// A facet that is large for its distance is the nearest of all. With h(m) for how far D reaches along a unit vector m,
+// p = d n for the foot and r for the inner radius, D has all points of the disc around p; so that for m at the angle φ
+// with n
+//
+//   h(m) ≥ d cos φ + r sin φ, which is no less than d as long as tan(φ / 2) ≤ r / d.
+//
+// What is left are directions at angles β with −n, tan(β / 2) < t = d / r. Let q be any point of D, H = −n · q:
+//
+//   h(m) ≥ m · q ≥ H cos β − |q| sin β ≥ (1 − 2 t²) H − 2 t |q|.
+//
+// Nothing else need be known of D: one plane and one point prove the depth.
 namespace toccata {
 namespace {
 
@@ -71,6 +82,16 @@ std::optional<PreciseFacet> precise_facet(const PosedPolytope& a, const PosedPol
   separation.pairs = found->pairs;
   result.inner_radius = DifferenceFace(a, b, found->pairs).inner_radius(way);
   return result;
+}
+
+bool is_certainly_nearest(const PosedPolytope& a, const PosedPolytope& b, const PreciseFacet& facet) {
+  const SupportKernels kernels = support_kernels();
+  const Vec3& n = facet.separation.direction;
+  const Vec3 opposite =
+      a.vertex(SupportSearch(a, kernels).least(n)) - b.vertex(SupportSearch(b, kernels).least(-n));
+  const double depth = facet.separation.upper, size = plain_length(opposite), slope = depth / facet.inner_radius;
+  const double height = -dot(n, opposite) - 0x1p-45 * size;
+  return slope <= 0.5 && (1 - 2 * slope * slope) * height - 2 * slope * size >= 1.01 * depth;
 }
 
 }  // namespace toccata

@@ -18,4 +18,8 @@ struct PreciseFacet {
 [[nodiscard]] std::optional<PreciseFacet> precise_facet(const PosedPolytope& a, const PosedPolytope& b,
                                                         const VertexPairs& corners);
 
+/// No facet is nearer: then its bounds are those of the depth. It is told where the facet is large for its distance, as
+/// mostly that of a shallow contact is; no says nothing.
+[[nodiscard]] bool is_certainly_nearest(const PosedPolytope& a, const PosedPolytope& b, const PreciseFacet& facet);
+
 }  // namespace toccata
