@@ -187,8 +187,7 @@ std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const P
   const ChosenBoxAxis axis = least_axis(view_a, view_b, axes, 1);
   const std::optional<PreciseFacet> facet = precise_facet(a, b, facet_corners(a, b, axis));
   if (!facet) return {};
-  const bool is_nearest =
-      is_certainly_nearest(a, b, *facet) || others_are_deeper(view_a, view_b, axes, axis, *facet);
+  const bool is_nearest = is_certainly_nearest(a, b, *facet) || others_are_deeper(view_a, view_b, axes, axis, *facet);
   return is_nearest ? std::optional(facet->separation) : std::nullopt;
 }
 

@@ -87,8 +87,7 @@ std::optional<PreciseFacet> precise_facet(const PosedPolytope& a, const PosedPol
 bool is_certainly_nearest(const PosedPolytope& a, const PosedPolytope& b, const PreciseFacet& facet) {
   const SupportKernels kernels = support_kernels();
   const Vec3& n = facet.separation.direction;
-  const Vec3 opposite =
-      a.vertex(SupportSearch(a, kernels).least(n)) - b.vertex(SupportSearch(b, kernels).least(-n));
+  const Vec3 opposite = a.vertex(SupportSearch(a, kernels).least(n)) - b.vertex(SupportSearch(b, kernels).least(-n));
   const double depth = facet.separation.upper, size = plain_length(opposite), slope = depth / facet.inner_radius;
   const double height = -dot(n, opposite) - 0x1p-45 * size;
   return slope <= 0.5 && (1 - 2 * slope * slope) * height - 2 * slope * size >= 1.01 * depth;

@@ -18,7 +18,8 @@ namespace toccata {
 /// far as the depth along the exact one.
 [[nodiscard]] double enough_along(const Vec3& direction, double depth);
 
-/// `rounded_depth` from nearest points that are unique and known as bounded numbers; nothing when these are not sharp enough.
+/// `rounded_depth` from nearest points that are unique and known as bounded numbers; nothing when these are not sharp
+/// enough.
 [[nodiscard]] std::optional<Penetration> rounded_depth(const CertainNearest& nearest, double radius_a, double radius_b);
 
 }  // namespace toccata

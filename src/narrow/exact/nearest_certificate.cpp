@@ -96,11 +96,11 @@ Verification verify(const SupportSearch& a, const SupportSearch& b, const Featur
   double slack = 0;
   for (const BoundedNumber& coordinate : pair.difference()) slack = std::max(slack, distance_from_high(coordinate));
   const NearestFeatures& f = pair.features();
-  const Verification of_a =
-      verify_others(pair, others, a.shape(), close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
+  const Verification of_a = verify_others(pair, others, a.shape(),
+                                          close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
   if (of_a.others == OtherVertices::unknown || of_a.others == OtherVertices::one_before) return of_a;
-  const Verification of_b =
-      verify_others(pair, others, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
+  const Verification of_b = verify_others(
+      pair, others, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
   if (of_b.others != OtherVertices::beyond) return of_b;
   return of_a;
 }
