@@ -9,6 +9,7 @@
 #include "narrow/boxes/next_axis.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_separation.hpp"
+#include "narrow/convex/precise_facet.hpp"
 
 namespace toccata {
 namespace {
@@ -135,6 +136,61 @@ bool find_points_of_face(CoreSeparation& separation, const BoxView& a, const Box
   return true;
 }
 
+/// The corner of a face that lies nearest to a point, and its two neighbours there.
+std::array<Index, 3> corners_of_face(const BoxView& box, std::size_t across, const Vec3& outwards, const Vec3& near) {
+  const Index end = Index{1} << across, x = Index{1} << next_axis(across), y = Index{1} << next_axis(next_axis(across));
+  const Vec3 from = near - box.box->centre;
+  Index corner = dot(box.axis(across), outwards) > 0 ? end : 0;
+  if (dot(box.axis(next_axis(across)), from) > 0) corner |= x;
+  if (dot(box.axis(next_axis(next_axis(across))), from) > 0) corner |= y;
+  return {corner, corner ^ x, corner ^ y};
+}
+
+/// Of the facet that belongs to an axis.
+VertexPairs facet_corners(const PosedPolytope& a, const PosedPolytope& b, const ChosenBoxAxis& axis) {
+  const BoxView view_a = view_of(a), view_b = view_of(b);
+  const Index of_a = farthest_corner(view_a, axis.direction), of_b = farthest_corner(view_b, -axis.direction);
+  VertexPairs pairs;
+  if (axis.edge_b == 3) {
+    for (const Index k : corners_of_face(view_a, axis.edge_a, axis.direction, b.vertex(of_b))) pairs.append(k, of_b);
+  } else if (axis.edge_a == 3) {
+    for (const Index k : corners_of_face(view_b, axis.edge_b, -axis.direction, a.vertex(of_a))) pairs.append(of_a, k);
+  } else {
+    pairs.append(of_a, of_b);
+    pairs.append(of_a ^ Index{1} << axis.edge_a, of_b);
+    pairs.append(of_a, of_b ^ Index{1} << axis.edge_b);
+  }
+  return pairs;
+}
+
+double least_half_extent(const BoxView& box) {
+  const auto [x, y, z] = box.box->half_extents;
+  return std::min({x, y, z});
+}
+
+/// No other axis has a facet as near. Facets whose normals are those of the axis but for the rounding of corners, less
+/// than 2^-20, are no nearer because the disc around the foot is not so small (precise_facet.cpp).
+bool others_are_deeper(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, const ChosenBoxAxis& axis,
+                       const PreciseFacet& facet) {
+  const double depth = facet.separation.upper, slack = a.box->slack + b.box->slack;
+  if (!(facet.inner_radius >= 0x1p-20 * depth)) return false;
+  if (!(slack <= 0x1p-35 * std::min(least_half_extent(a), least_half_extent(b)))) return false;
+  const double sizes = sum(a.box->half_extents) + sum(b.box->half_extents), enough = (1 + 0x1p-18) * depth;
+  return LowerBound(axes, b.box->half_extents, sizes).but_for(axis, enough) >= enough;
+}
+
+/// Where corners' rounding is seen: by the facet of the least axis alone, with more digits.
+std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const PosedPolytope& b) {
+  RigidBoxAxes axes;
+  const BoxView view_a = view_of(a), view_b = view_of(b);
+  if (nearness_of_rigid_boxes(view_a, view_b, axes) != Nearness::meet) return {};
+  const ChosenBoxAxis axis = least_axis(view_a, view_b, axes, 1);
+  const std::optional<PreciseFacet> facet = precise_facet(a, b, facet_corners(a, b, axis));
+  if (!facet) return {};
+  const bool is_nearest = is_certainly_nearest(a, b, *facet) || others_are_deeper(view_a, view_b, axes, axis, *facet);
+  return is_nearest ? std::optional(facet->separation) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<bool> is_order_of_centres(const BoxView& a, const BoxView& b) {
@@ -228,8 +284,12 @@ std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const Po
     const std::optional<Penetration> exchanged = penetration_of_boxes(b, a);
     return exchanged ? flipped(*exchanged) : exchanged;
   }
-  const std::optional<CoreSeparation> core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius());
-  if (!core) return aligned_box_penetration(a, b);
+  std::optional<CoreSeparation> core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius());
+  if (!core) {
+    if (const std::optional<Penetration> aligned = aligned_box_penetration(a, b)) return aligned;
+    core = part_shallow_boxes(a, b);
+  }
+  if (!core) return {};
   return offset_outward(*core, a.radius(), b.radius());
 }
 

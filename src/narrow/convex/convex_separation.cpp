@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "narrow/convex/apart_cores.hpp"
 #include "narrow/convex/core_separation.hpp"
 #include "narrow/convex/rounded_depth.hpp"
 
@@ -20,6 +21,7 @@ Penetration offset_outward(const CoreSeparation& core, double radius_a, double r
 }
 
 ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b) {
+  if (const std::optional<ConvexSeparation> apart = part_apart_cores(a, b)) return *apart;
   const CoreSeparation core = part_cores_by_expansion(a, b, a.radius() + b.radius());
   if (core.kind == CoreSeparation::Kind::deep) return {offset_outward(core, a.radius(), b.radius()), core.pairs};
   if (core.kind == CoreSeparation::Kind::apart && a.radius() == 0 && b.radius() == 0)

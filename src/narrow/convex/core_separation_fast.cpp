@@ -5,6 +5,7 @@
 #include "narrow/convex/core_separation.hpp"
 #include "narrow/convex/fast_expansion.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/convex/precise_facet.hpp"
 
 // What the quick expansion found is a guess. The numbers come from the vertices of the deepest facet alone, by one
 // formula, and these are proved, with d for the facet's distance:
@@ -20,6 +21,12 @@
 // The formula, with u = 2^-53. Let a facet be a face of one and a vertex of the other, or an edge of each. Its edges
 // are then differences of vertices, e and f, off by u of each coordinate; n = e × f is off by at most 7u|e||f|; a
 // corner p by u|p|; so n · p / |n| is off by at most u|p|(9 + 15|e||f| / |n|).
+//
+// Of shallow shapes w is less than that. Then the facet's plane is computed with double-words, and proved to be one of
+// D's, with the origin's foot p on it, d from the origin along n, and all points of the facet as near as r to p. What
+// doubles do not tell of the other facets is told by p, as long as they lie no lower than d − δ along n. A ray from the
+// origin at an angle of up to atan(r / d) with n meets D's facet, at d or beyond; another one that meets such a facet,
+// meets it at (d − δ) √(1 + r² / d²) or beyond. That is no less than d when r² ≥ 2.2 δ d and δ ≤ d / 20.
 namespace toccata {
 namespace {
 
@@ -72,7 +79,13 @@ class FastSeparation {
     if (!expand_fast(a_, b_, surface_)) return {};
     const std::optional<Index> facet = facet_of_foot();
     if (!facet) return {};
-    FacetCorners corners = corners_of(*facet);
+    if (std::optional<CoreSeparation> found = run_in_doubles(*facet)) return found;
+    return run_precisely(*facet);
+  }
+
+ private:
+  std::optional<CoreSeparation> run_in_doubles(Index facet) {
+    FacetCorners corners = corners_of(facet);
     const FacetKind kind = sort(corners);
     const FacetPlane plane = plane_of(corners, kind);
     const double width = half_width * (plane.distance + reach_);
@@ -86,7 +99,16 @@ class FastSeparation {
     return separation;
   }
 
- private:
+  [[nodiscard]] std::optional<CoreSeparation> run_precisely(Index facet) const {
+    const FacetCorners corners = corners_of(facet);
+    VertexPairs pairs;
+    for (std::size_t k = 0; k < 3; ++k) pairs.append(corners.a[k], corners.b[k]);
+    const std::optional<PreciseFacet> found = precise_facet(a_, b_, pairs);
+    if (!found) return {};
+    const bool is_nearest = is_certainly_nearest(a_, b_, *found) || surrounds(found->separation.lower, &*found);
+    return is_nearest ? std::optional(found->separation) : std::nullopt;
+  }
+
   [[nodiscard]] FacetCorners corners_of(Index f) const {
     FacetCorners corners;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -143,8 +165,8 @@ class FastSeparation {
     return rounding - (behind + ahead) <= separation.upper - 0x1p-48 * separation.upper;
   }
 
-  /// Every facet has the origin behind it, and no nearer than that.
-  [[nodiscard]] bool surrounds(double lower) const {
+  /// Every facet has the origin behind it, and no nearer than that; beside a precise one it may be a little nearer.
+  [[nodiscard]] bool surrounds(double lower, const PreciseFacet* beside = nullptr) const {
     const FastSurface& s = surface_;
     double extent = 0;
     for (Index i = 0; i < s.points; ++i)
@@ -156,9 +178,19 @@ class FastSeparation {
       const double error = unit_error * (sum_of_magnitudes(p - r) + sum_of_magnitudes(q - r)),
                    certain = s.offset[f] - error;
       if (certain > 0 && certain * certain >= least * dot(n, n)) continue;
-      if (!(certain > 0) || !is_certainly_beyond(f, lower)) return false;
+      const bool is_beside = beside != nullptr && is_certainly_beside(f, *beside, extent);
+      if (!(certain > 0) || !(is_beside || is_certainly_beyond(f, lower))) return false;
     }
     return true;
+  }
+
+  /// No ray meets the facet before the precise one does, or nearer to the origin than that is. A height along its
+  /// direction is off by 2^-50 of the extent for the corner, for the direction and for the product each, at most.
+  [[nodiscard]] bool is_certainly_beside(Index f, const PreciseFacet& precise, double extent) const {
+    const Vec3& n = precise.separation.direction;
+    const double lowest = std::min({dot(n, corner(f, 0)), dot(n, corner(f, 1)), dot(n, corner(f, 2))});
+    const double depth = precise.separation.upper, below = (depth - lowest) + 0x1p-48 * extent;
+    return below <= depth / 20 && precise.inner_radius * precise.inner_radius >= 2.25 * below * depth;
   }
 
   [[nodiscard]] Vec3 corner(Index f, std::size_t k) const { return surface_.point(surface_.facets.corner(f, k)); }

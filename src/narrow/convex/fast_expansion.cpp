@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "math/lanes.hpp"
+#include "math/vec3_measures.hpp"
 #include "narrow/convex/fast_expansion.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -158,7 +159,9 @@ class Expansion {
       const double height = dot(s_.normal(f), p.value);
       if (!(height > 0)) return false;  // apart, or touching
       s_.nearest = f;
-      if (height - s_.offset[f] <= 0x1p-43 * height) return true;
+      // Less is rounding: of the depth, or, where that is shallow, of the points.
+      const double beyond = height - s_.offset[f];
+      if (beyond <= 0x1p-43 * height || beyond <= s_.rounding[f]) return true;
       if (!add(p, f)) return false;
     }
     return false;
@@ -189,6 +192,7 @@ class Expansion {
     s_.normal_y[f] = n.y;
     s_.normal_z[f] = n.z;
     s_.offset[f] = offset;
+    s_.rounding[f] = height_rounding_ * sum_of_magnitudes(n);
     s_.order[f] = std::bit_cast<double>((std::bit_cast<std::uint64_t>(order) & ~facet_bits) | f);
     return squared > least_squared_;
   }
@@ -205,7 +209,7 @@ class Expansion {
   }
 
   void clear(Index f) {
-    s_.normal_x[f] = s_.normal_y[f] = s_.normal_z[f] = s_.offset[f] = 0;
+    s_.normal_x[f] = s_.normal_y[f] = s_.normal_z[f] = s_.offset[f] = s_.rounding[f] = 0;
     s_.order[f] = HUGE_VAL;
   }
 
@@ -217,6 +221,7 @@ class Expansion {
 
   bool is_in_range(double extent) {
     least_squared_ = 0x1p-72 * extent * extent * extent * extent;
+    height_rounding_ = 0x1p-50 * extent;
     return extent > 0x1p-100 && extent < 0x1p100;
   }
 
@@ -285,7 +290,8 @@ class Expansion {
           hn::Add(hn::Mul(x, hn::Load(tag, s_.normal_x.data() + i)), hn::Mul(y, hn::Load(tag, s_.normal_y.data() + i))),
           hn::Mul(z, hn::Load(tag, s_.normal_z.data() + i)));
       const Number offset = hn::Load(tag, s_.offset.data() + i);
-      seen.word[i / 64] |= std::uint64_t{bits_of(tag, hn::Gt(height, hn::Mul(rounding, offset)))} << (i % 64);
+      const Number above = hn::Add(hn::Mul(rounding, offset), hn::Load(tag, s_.rounding.data() + i));
+      seen.word[i / 64] |= std::uint64_t{bits_of(tag, hn::Gt(height, above))} << (i % 64);
     }
   }
 
@@ -312,6 +318,7 @@ class Expansion {
   Vec3 between_;
   FastSurface& s_;
   double least_squared_ = 0;
+  double height_rounding_ = 0;  ///< of a normal whose coordinates' magnitudes sum up to 1
 };
 
 }  // namespace

@@ -21,13 +21,15 @@ struct FastSurface {
   Index points = 0;
 
   FacetSlots facets;
-  // Of facets, by their slots: the rounded cross product of two edges, outwards, and its product with a corner; the
+  // Of facets, by their slots: the rounded cross product of two edges, outwards, and its product with a corner, with
+  // what rounding makes of such a product; the
   // squared distance from the origin with the sign of the product, but for the last bits, which hold the number of the
   // facet. Zero, and an infinite distance, of vacant slots and up to the next multiple of 8.
   alignas(64) std::array<double, most_facets> normal_x;
   alignas(64) std::array<double, most_facets> normal_y;
   alignas(64) std::array<double, most_facets> normal_z;
   alignas(64) std::array<double, most_facets> offset;
+  alignas(64) std::array<double, most_facets> rounding;
   alignas(64) std::array<double, most_facets> order;
 
   Index nearest = 0;  ///< the facet that is nearest to the origin, when it is found

@@ -38,19 +38,25 @@ double likely_distance(const ExactNearest& nearest) {
   return std::sqrt(nearest_double(nearest.squared_numerator, nearest.squared_denominator, 2 * nearest.exponent));
 }
 
-/// A direction that is rounded is a unit vector up to 2^-50, and may point as far beside.
-double enough_along(const Vec3& direction, double depth) {
-  const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
-  if (most == 1 && dot(direction, direction) == 1) return depth;
-  return std::nextafter(depth + 0x1p-50 * depth, infinity);
-}
-
 Vec3 rounded_point(const HomogeneousVector& p, int exponent) {
   const auto along = [&](std::size_t axis) { return nearest_double(p.numerator[axis], p.denominator, exponent); };
   return {along(0), along(1), along(2)};
 }
 
+/// Of what is not positive, nothing.
+std::optional<DoubleBracket> bracket_above_zero(const BoundedNumber& depth) {
+  if (depth.is_positive()) return bracket(depth);
+  if (depth.is_negative() || is_exactly_zero(depth)) return DoubleBracket{0, 0};
+  return {};
+}
+
 }  // namespace
+
+double enough_along(const Vec3& direction, double depth) {
+  const double most = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  if (most == 1 && dot(direction, direction) == 1) return depth;
+  return std::nextafter(depth + 0x1p-50 * depth, infinity);
+}
 
 Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double radius_b,
                           const Vec3& direction_when_touching) {
@@ -68,6 +74,21 @@ Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double r
   const bool is_exact = depth(result.lower, result.lower) == Sign::zero;
   result.upper = is_exact ? result.lower : std::nextafter(result.lower, infinity);
   result.upper = enough_along(result.direction, result.upper);
+  return result;
+}
+
+std::optional<Penetration> rounded_depth(const CertainNearest& nearest, double radius_a, double radius_b) {
+  const auto depth = bracket_above_zero((exactly(radius_a) + exactly(radius_b)) - nearest.distance);
+  if (!depth) return {};
+  const Vec3 from_b = high_parts(nearest.difference);
+  const double squared = dot(from_b, from_b);
+  if (!(squared > 0x1p-900 && squared < 0x1p900)) return {};
+  Penetration result;
+  result.direction = (-1 / std::sqrt(squared)) * from_b;
+  result.on_a = high_parts(nearest.on_a) + radius_a * result.direction;
+  result.on_b = high_parts(nearest.on_b) - radius_b * result.direction;
+  result.lower = depth->lower;
+  result.upper = depth->upper > 0 ? enough_along(result.direction, depth->upper) : 0;
   return result;
 }
 

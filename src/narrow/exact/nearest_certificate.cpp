@@ -30,7 +30,11 @@ std::optional<NearestFeatures> features_of(const VertexPairs& simplex) {
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
-/// What is known of all other vertices.
+/// On which side of the planes through two features all other vertices have to be: of nearest features of shapes that
+/// are apart, beyond them; of a facet of shapes that overlap, behind it.
+enum class OthersAre { beyond, behind };
+
+/// What is known of all other vertices; a vertex is before a plane on whose wrong side it is.
 enum class OtherVertices { beyond, one_before, some_level, unknown };
 
 struct Verification {
@@ -55,16 +59,22 @@ CloseVertices close_vertices(const SupportSearch& search, const Vec3& direction,
 std::span<const Index> own_a(const NearestFeatures& f) { return std::span(f.a).first(f.count_a); }
 std::span<const Index> own_b(const NearestFeatures& f) { return std::span(f.b).first(f.count_b); }
 
+/// Positive where a vertex is on the side of the plane where it has to be.
+Sign height_of(const FeaturePair& pair, OthersAre others, bool of_a, const Vec3& vertex) {
+  const Sign beyond = of_a ? pair.beyond_a(vertex) : pair.beyond_b(vertex);
+  return others == OthersAre::beyond ? beyond : -beyond;
+}
+
 /// Looks at the close vertices of one shape that are not of the feature, and adds those in its plane to the face.
-Verification verify_others(const FeaturePair& pair, const PosedPolytope& shape, const CloseVertices& close, bool of_a,
-                           FaceVertices& face) {
+Verification verify_others(const FeaturePair& pair, OthersAre others, const PosedPolytope& shape,
+                           const CloseVertices& close, bool of_a, FaceVertices& face) {
   if (close.count > close.vertex.size()) return {};
   const std::span<const Index> own = of_a ? own_a(pair.features()) : own_b(pair.features());
   for (const Index vertex : own) face.vertex[face.count++] = vertex;
   for (Index i = 0; i < close.count; ++i) {
     const Index vertex = close.vertex[i];
     if (!pair.is_plane()) return {};
-    const Sign height = of_a ? pair.beyond_a(shape.vertex(vertex)) : pair.beyond_b(shape.vertex(vertex));
+    const Sign height = height_of(pair, others, of_a, shape.vertex(vertex));
     if (height == Sign::negative) return {OtherVertices::one_before, of_a, vertex};
     if (height == Sign::zero && face.count == face.vertex.size()) return {};
     if (height == Sign::zero) face.vertex[face.count++] = vertex;
@@ -77,18 +87,20 @@ struct LevelVertices {
   FaceVertices a, b;
 };
 
-Verification verify(const SupportSearch& a, const SupportSearch& b, const FeaturePair& pair, LevelVertices& level) {
+Verification verify(const SupportSearch& a, const SupportSearch& b, const FeaturePair& pair, OthersAre others,
+                    LevelVertices& level) {
   level = {};
-  const Vec3 direction = high_parts(pair.difference());
+  const Vec3 difference = high_parts(pair.difference());
+  const Vec3 direction = others == OthersAre::beyond ? difference : -difference;
   if (!in_certain_range(direction)) return {};
   double slack = 0;
   for (const BoundedNumber& coordinate : pair.difference()) slack = std::max(slack, distance_from_high(coordinate));
   const NearestFeatures& f = pair.features();
-  const Verification of_a =
-      verify_others(pair, a.shape(), close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
+  const Verification of_a = verify_others(pair, others, a.shape(),
+                                          close_vertices(a, direction, slack, pair.first_a(), own_a(f)), true, level.a);
   if (of_a.others == OtherVertices::unknown || of_a.others == OtherVertices::one_before) return of_a;
-  const Verification of_b =
-      verify_others(pair, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
+  const Verification of_b = verify_others(
+      pair, others, b.shape(), close_vertices(b, -direction, slack, pair.first_b(), own_b(f)), false, level.b);
   if (of_b.others != OtherVertices::beyond) return of_b;
   return of_a;
 }
@@ -117,14 +129,15 @@ NearestFeatures exchanged(const NearestFeatures& features, std::size_t i, const 
 /// The pair of features with the vertex that lies before the plane of the present ones, in place of one of theirs,
 /// which must lie beyond the new plane: on faces that rounding has bent, the next nearest pair.
 std::optional<FeaturePair> nearer_pair(const PosedPolytope& a, const PosedPolytope& b, const NearestFeatures& present,
-                                       const Verification& before) {
+                                       OthersAre others, const Verification& before) {
   for (std::size_t i = 0; i < 4; ++i) {
     const NearestFeatures other = exchanged(present, i, before);
     if (other.count_a == 0 || other.count_b == 0 || other.count_a + other.count_b != 4) continue;
     FeaturePair pair(a, b, other);
     if (!pair.solve()) continue;
-    const Sign left_out = i < present.count_a ? pair.beyond_a(a.vertex(present.a[i]))
-                                              : pair.beyond_b(b.vertex(present.b[i - present.count_a]));
+    const Sign left_out = i < present.count_a
+                              ? height_of(pair, others, true, a.vertex(present.a[i]))
+                              : height_of(pair, others, false, b.vertex(present.b[i - present.count_a]));
     if (left_out == Sign::positive) return pair;
   }
   return {};
@@ -134,13 +147,16 @@ std::optional<FeaturePair> nearer_pair(const PosedPolytope& a, const PosedPolyto
 constexpr int most_exchanges = 16;
 
 /// The pair is solved.
-std::optional<CertainNearest> certain_from(const SupportSearch& a, const SupportSearch& b, FeaturePair pair) {
+std::optional<CertainNearest> certain_from(const SupportSearch& a, const SupportSearch& b, FeaturePair pair,
+                                           OthersAre others = OthersAre::beyond) {
   for (int exchange = 0; exchange <= most_exchanges; ++exchange) {
     LevelVertices level;
-    const Verification found = verify(a, b, pair, level);
+    const Verification found = verify(a, b, pair, others, level);
     if (found.others == OtherVertices::unknown) return {};
-    if (found.others != OtherVertices::one_before) return certain(pair, level, found.others);
-    const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), found);
+    // Of a facet's points any will do.
+    if (found.others != OtherVertices::one_before)
+      return certain(pair, level, others == OthersAre::behind ? OtherVertices::beyond : found.others);
+    const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), others, found);
     if (!nearer) return {};
     pair = *nearer;
   }
@@ -204,6 +220,15 @@ std::optional<CertainNearest> certain_nearest(const SupportSearch& a, const Supp
   FeaturePair pair(a.shape(), b.shape(), *features);
   if (!pair.solve()) return {};
   return certain_from(a, b, pair);
+}
+
+std::optional<CertainNearest> certain_facet(const SupportSearch& a, const SupportSearch& b,
+                                            const VertexPairs& simplex) {
+  const std::optional<NearestFeatures> features = features_of(simplex);
+  if (!features) return {};
+  FeaturePair pair(a.shape(), b.shape(), *features);
+  if (!pair.is_plane() || !pair.solve()) return {};
+  return certain_from(a, b, pair, OthersAre::behind);
 }
 
 std::optional<CertainNearest> certain_nearest_along(const SupportSearch& a, const SupportSearch& b,

@@ -15,7 +15,7 @@ struct FaceVertices {
   std::size_t count = 0;
 };
 
-/// The nearest points of two shapes, their radii left aside, as bounded numbers.
+/// The nearest points of two shapes, their radii left aside, as bounded numbers; or those of a facet.
 struct CertainNearest {
   VertexPairs pairs;         ///< a simplex of the features
   BoundedVector difference;  ///< on_a − on_b
@@ -38,6 +38,12 @@ struct CertainNearest {
 /// nearly parallel a simplex of the search tells little.
 [[nodiscard]] std::optional<CertainNearest> certain_nearest_along(const SupportSearch& a, const SupportSearch& b,
                                                                   const Vec3& direction);
+
+/// Of two cores that overlap: proves that all vertices lie behind the plane through the features, or in it, and that
+/// the origin's foot is an inner point of them, or of others that are reached by exchanging a few vertices. The plane
+/// is then one of the Minkowski difference's facets, and its distance no less than the depth.
+[[nodiscard]] std::optional<CertainNearest> certain_facet(const SupportSearch& a, const SupportSearch& b,
+                                                          const VertexPairs& simplex);
 
 /// The shapes' cores are farther apart along the direction, which need not have length 1, than `gap`: proved.
 [[nodiscard]] bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec3& direction, double gap);
