@@ -41,8 +41,8 @@ inline std::vector<NamedMesh> closed_meshes_and_more() {
                            "gen:torus-knot?around=60&sides=5"})
     meshes.push_back({std::string(name) + " on a grid", on_grid(generated(name), 4096)});
   meshes.push_back({"a soup", soup_of(on_grid(generated("gen:gear"), 4096))});
-  meshes.push_back({"boxes on a common edge",
-                    oracle::joined(box_between({0, 0, 0}, {2, 2, 2}), box_between({2, 2, 0}, {4, 4, 2}))});
+  meshes.push_back(
+      {"boxes on a common edge", oracle::joined(box_between({0, 0, 0}, {2, 2, 2}), box_between({2, 2, 0}, {4, 4, 2}))});
   meshes.push_back({"boxes on a common vertex",
                     oracle::joined(box_between({0, 0, 0}, {2, 2, 2}), box_between({2, 2, 2}, {4, 4, 4}))});
   return meshes;

@@ -1,5 +1,5 @@
-// An MSP tree against every triangle in rationals: which vertex, edge or face a point lies on, and on which side it lies
-// where it is on none.
+// An MSP tree against every triangle in rationals: which vertex, edge or face a point lies on, and on which side it
+// lies where it is on none.
 #include "methods/msp_checks.hpp"
 #include "support/case_seeds.hpp"
 #include "toccata/core/random.hpp"
@@ -102,14 +102,13 @@ SweepResult run_msp_trees(const std::string& family, std::uint64_t seed, std::ui
   });
 }
 
-const bool msp_trees_known =
-    register_sweep({"msp-trees",
-                    {"in space", "on vertices", "on edges", "on faces", "on extensions"},
-                    10'000,
-                    300,
-                    run_msp_trees,
-                    1'000,
-                    12});
+const bool msp_trees_known = register_sweep({"msp-trees",
+                                             {"in space", "on vertices", "on edges", "on faces", "on extensions"},
+                                             10'000,
+                                             300,
+                                             run_msp_trees,
+                                             1'000,
+                                             12});
 
 }  // namespace
 }  // namespace toccata::test
