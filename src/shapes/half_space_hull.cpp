@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -26,6 +27,28 @@ using WholeVector4 = std::array<Integer, 4>;
 
 Integer whole_product(const WholeVector4& a, const WholeVector4& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+/// The same direction in doubles, of which the greatest is 1 or -1: each is off by 2^-54 at most.
+using Direction4 = std::array<double, 4>;
+
+Direction4 rounded_direction(const WholeVector4& v) {
+  Integer greatest = 0;
+  for (const Integer& number : v) greatest = std::max(greatest, Integer(abs(number)));
+  Direction4 rounded{};
+  if (greatest == 0) return rounded;
+  for (std::size_t i = 0; i < 4; ++i) rounded[i] = nearest_double(v[i], greatest, 0);
+  return rounded;
+}
+
+/// The product of two such directions is off by less: eight factors by 2^-54 each, and by the roundings of four
+/// products and three sums, none greater than 4, which are 16 · 2^-53 at most.
+constexpr double height_error = 0x1p-48;
+
+/// The sign of the product where it is certain, else zero.
+Sign certain_height_sign(const Direction4& a, const Direction4& b) {
+  const double height = (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+  return height > height_error ? Sign::positive : height < -height_error ? Sign::negative : Sign::zero;
 }
 
 /// The same direction in the least whole numbers.
@@ -68,18 +91,22 @@ class HalfSpaceCone {
  public:
   struct Ray {
     WholeVector4 at;
-    std::vector<std::uint64_t> planes;  ///< those it lies in, a bit each
+    Direction4 rounded{};
+    std::vector<Index> planes;  ///< those it lies in, in their order
   };
 
-  /// Of three half-spaces with independent normals; so many may be cut off later.
-  HalfSpaceCone(const std::array<WholeVector4, 3>& first, std::size_t more) : words_((4 + more + 63) / 64) {
-    planes_ = {behind_infinity, first[0], first[1], first[2]};
+  /// Of three half-spaces with independent normals. Cutting is given up beyond so many comparisons of rays with planes
+  /// and with each other.
+  HalfSpaceCone(const std::array<WholeVector4, 3>& first, std::uint64_t most_comparisons)
+      : most_comparisons_(most_comparisons) {
+    const std::array<WholeVector4, 4> planes{behind_infinity, first[0], first[1], first[2]};
     for (std::size_t i = 0; i < 4; ++i) {
-      Ray ray{in_lowest_terms(across_three(planes_[(i + 1) % 4], planes_[(i + 2) % 4], planes_[(i + 3) % 4])),
-              std::vector<std::uint64_t>(words_)};
-      if (whole_product(planes_[i], ray.at) > 0)
+      Ray ray{in_lowest_terms(across_three(planes[(i + 1) % 4], planes[(i + 2) % 4], planes[(i + 3) % 4])), {}, {}};
+      if (whole_product(planes[i], ray.at) > 0)
         for (Integer& number : ray.at) number = -number;
-      ray.planes[0] = std::uint64_t{15} & ~bit(i);
+      for (Index j = 0; j < 4; ++j)
+        if (j != i) ray.planes.push_back(j);
+      ray.rounded = rounded_direction(ray.at);
       rays_.push_back(std::move(ray));
     }
   }
@@ -90,60 +117,95 @@ class HalfSpaceCone {
   }
   /// Whether all of it lies in the plane of the half-space that was given as the i-th, from 0.
   [[nodiscard]] bool lies_in_plane(std::size_t i) const {
-    const auto is_in = [&](const Ray& ray) { return (ray.planes[word(i + 1)] & bit(i + 1)) != 0; };
+    const auto is_in = [&](const Ray& ray) {
+      return std::binary_search(ray.planes.begin(), ray.planes.end(), static_cast<Index>(i + 1));
+    };
     return std::all_of(rays_.begin(), rays_.end(), is_in);
   }
 
+  /// Throws Error when all that was cut has taken too many comparisons.
   void cut(const WholeVector4& plane) {
-    const std::size_t number = planes_.size();
-    planes_.push_back(plane);
-    std::vector<Integer> heights;
+    const Index number = plane_count_++;
+    const Direction4 rounded = rounded_direction(plane);
+    std::vector<Sign> sides;
+    std::vector<std::size_t> inside;
     for (Ray& ray : rays_) {
-      heights.push_back(whole_product(plane, ray.at));
-      if (heights.back() == 0) ray.planes[word(number)] |= bit(number);
+      Sign side = certain_height_sign(rounded, ray.rounded);
+      if (side == Sign::zero) side = sign_of(whole_product(plane, ray.at));
+      if (side == Sign::negative) inside.push_back(sides.size());
+      if (side == Sign::zero) ray.planes.push_back(number);
+      sides.push_back(side);
     }
-    std::vector<Ray> kept;
+    count_comparisons(rays_.size());
+    std::vector<Ray> edges;
     for (std::size_t i = 0; i < rays_.size(); ++i)
-      for (std::size_t j = 0; heights[i] > 0 && j < rays_.size(); ++j) {
-        if (heights[j] >= 0 || !are_neighbours(rays_[i], rays_[j])) continue;
-        kept.push_back(between(i, heights[i], j, heights[j]));
-        kept.back().planes[word(number)] |= bit(number);
-      }
+      if (sides[i] == Sign::positive) append_edges_through({plane, number}, i, inside, edges);
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < rays_.size(); ++i)
-      if (heights[i] <= 0) kept.push_back(std::move(rays_[i]));
-    rays_ = std::move(kept);
+      if (sides[i] != Sign::positive && kept++ != i) rays_[kept - 1] = std::move(rays_[i]);
+    rays_.resize(kept);
+    std::move(edges.begin(), edges.end(), std::back_inserter(rays_));
   }
 
  private:
-  static std::size_t word(std::size_t plane) { return plane / 64; }
-  static std::uint64_t bit(std::size_t plane) { return std::uint64_t{1} << (plane % 64); }
+  struct NumberedPlane {
+    const WholeVector4& plane;
+    Index number = 0;
+  };
 
-  /// They are when no third ray lies in all planes that both lie in.
-  [[nodiscard]] bool are_neighbours(const Ray& a, const Ray& b) const {
-    int shared = 0;
-    for (std::size_t w = 0; w < words_; ++w) shared += std::popcount(a.planes[w] & b.planes[w]);
-    if (shared < 2) return false;
-    return std::none_of(rays_.begin(), rays_.end(), [&](const Ray& third) {
-      if (&third == &a || &third == &b) return false;
-      for (std::size_t w = 0; w < words_; ++w)
-        if ((a.planes[w] & b.planes[w] & ~third.planes[w]) != 0) return false;
-      return true;
-    });
+  void append_edges_through(const NumberedPlane& cut, std::size_t outside, std::span<const std::size_t> inside,
+                            std::vector<Ray>& edges) {
+    count_comparisons(inside.size());
+    for (const std::size_t j : inside) {
+      take_shared_planes(rays_[outside], rays_[j]);
+      if (shared_.size() < 2 || !are_neighbours(outside, j)) continue;
+      edges.push_back(between(rays_[outside], rays_[j], cut.plane));
+      edges.back().planes = shared_;
+      edges.back().planes.push_back(cut.number);
+    }
+  }
+
+  void take_shared_planes(const Ray& a, const Ray& b) {
+    shared_.clear();
+    std::set_intersection(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(),
+                          std::back_inserter(shared_));
+  }
+
+  /// Two are when no third ray lies in all planes that both lie in.
+  [[nodiscard]] bool are_neighbours(std::size_t a, std::size_t b) {
+    count_comparisons(rays_.size());
+    for (std::size_t third = 0; third < rays_.size(); ++third) {
+      const std::vector<Index>& planes = rays_[third].planes;
+      if (third != a && third != b && std::includes(planes.begin(), planes.end(), shared_.begin(), shared_.end()))
+        return false;
+    }
+    return true;
   }
 
   /// Where the edge between a ray outside and one inside goes through the plane that is cut along.
-  [[nodiscard]] Ray between(std::size_t outside, const Integer& above, std::size_t inside, const Integer& below) const {
-    const Ray &a = rays_[outside], &b = rays_[inside];
-    Ray ray{{}, std::vector<std::uint64_t>(words_)};
-    for (std::size_t i = 0; i < 4; ++i) ray.at[i] = above * b.at[i] - below * a.at[i];
+  [[nodiscard]] static Ray between(const Ray& outside, const Ray& inside, const WholeVector4& plane) {
+    const Integer above = whole_product(plane, outside.at), below = whole_product(plane, inside.at);
+    Ray ray;
+    for (std::size_t i = 0; i < 4; ++i) ray.at[i] = above * inside.at[i] - below * outside.at[i];
     ray.at = in_lowest_terms(ray.at);
-    for (std::size_t w = 0; w < words_; ++w) ray.planes[w] = a.planes[w] & b.planes[w];
+    ray.rounded = rounded_direction(ray.at);
     return ray;
   }
 
-  std::size_t words_;
-  std::vector<WholeVector4> planes_;
+  void count_comparisons(std::size_t more) {
+    comparisons_ += more;
+    if (comparisons_ > most_comparisons_)
+      throw Error(fmt::format(
+          "the first {} of the half-spaces have {} vertices in common, and with all of them it would take "
+          "more than {} comparisons to find those of all; leave out some that cut little off, or allow more",
+          plane_count_ - 1, rays_.size(), most_comparisons_));
+  }
+
+  Index plane_count_ = 4;
   std::vector<Ray> rays_;
+  std::vector<Index> shared_;  ///< planes of the two rays that are compared
+  std::uint64_t most_comparisons_;
+  std::uint64_t comparisons_ = 0;
 };
 
 /// Three half-spaces with independent normals. Where the given ones have none, all that they hold in common goes on
@@ -185,9 +247,9 @@ struct CommonSet {
   std::vector<WholeVector4> free;
 };
 
-CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index> order) {
+CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index> order, std::uint64_t most) {
   FirstThree first = first_three(planes, order);
-  CommonSet common{HalfSpaceCone(first.planes, order.size() + 2), first.numbers, first.free};
+  CommonSet common{HalfSpaceCone(first.planes, most), first.numbers, first.free};
   common.numbers.resize(3, no_index);
   for (WholeVector4 opposite : first.free) {
     for (Integer& number : opposite) number = -number;
@@ -207,15 +269,16 @@ CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index
 /// Of half-spaces without a common point at most four that have none, of which none can be left out (E. Helly, 1923).
 /// The last that is cut belongs to every such choice among those before it. It goes first in the next round, whose last
 /// is another, until those in front are all that there are.
-std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std::vector<Index> among) {
+std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std::vector<Index> among,
+                                       std::uint64_t most) {
   for (int round = 0; round < 6; ++round) {
-    among = common_set(planes, among).numbers;
+    among = common_set(planes, among, most).numbers;
     std::rotate(among.begin(), among.end() - 1, among.end());
   }
   for (std::size_t i = 0; i < among.size() && among.size() > 1;) {
     std::vector<Index> fewer = among;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (common_set(planes, fewer).cone.has_a_point())
+    if (common_set(planes, fewer, most).cone.has_a_point())
       ++i;
     else
       among = std::move(fewer);
@@ -267,22 +330,32 @@ std::vector<Vec3> vertices_of_cone(const HalfSpaceCone& cone) {
   return vertices;
 }
 
+/// Of those that are equal the first, mixed: one after the other along a shape, as they are often given, each would cut
+/// away much of what those before it made.
+std::vector<Index> mixed_order(std::span<const WholeVector4> planes) {
+  std::vector<Index> order(planes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return planes[a] < planes[b]; });
+  const auto is_equal = [&](Index a, Index b) { return planes[a] == planes[b]; };
+  order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
+  std::sort(order.begin(), order.end());
+  Random random(1);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  return order;
+}
+
 }  // namespace
 
-ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces) {
+ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces, std::uint64_t most_comparisons) {
   if (half_spaces.size() < 4)
     throw Error(fmt::format("{} half-spaces enclose nothing; give at least four", half_spaces.size()));
   std::vector<WholeVector4> planes;
   for (const HalfSpace& half_space : half_spaces) planes.push_back(homogeneous_plane(half_space));
-  std::vector<Index> order(planes.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  // One after the other along a shape, as they are often given, each would cut away much of what those before it made.
-  Random random(1);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  const CommonSet common = common_set(planes, order);
+  const std::vector<Index> order = mixed_order(planes);
+  const CommonSet common = common_set(planes, order, most_comparisons);
   if (!common.cone.has_a_point())
     throw Error(fmt::format("half-spaces {} have no point in common; move or turn one of them",
-                            fmt::join(least_without_point(planes, order), ", ")));
+                            fmt::join(least_without_point(planes, order, most_comparisons), ", ")));
   if (!common.free.empty()) refuse_unbounded(common.free.front());
   for (const HalfSpaceCone::Ray& ray : common.cone.rays())
     if (ray.at[3] == 0) refuse_unbounded(ray.at);

@@ -150,16 +150,43 @@ TEST(HullOfHalfSpaces, OrderAndRepetitionsDoNotShow) {
   for (Index i = 0; i < hull.vertex_count(); ++i) EXPECT_EQ(again.vertex(i), hull.vertex(i));
 }
 
-/// More than a word of bits, and a vertex for every face but two.
-TEST(HullOfHalfSpaces, OfManyHasAsManyVerticesAsEulerSays) {
+/// About the unit ball, at this distance from its centre.
+HalfSpaces around_ball(std::size_t count, double distance) {
   Random random(3);
   HalfSpaces all;
-  for (int i = 0; i < 100; ++i) {
+  while (all.size() < count) {
     const Vec3 p{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    all.emplace_back((1 / std::sqrt(dot(p, p))) * p, p);
+    all.emplace_back((distance / std::sqrt(dot(p, p))) * p, p);
   }
-  const ConvexHull hull = hull_of_half_spaces(all);
-  EXPECT_EQ(hull.vertex_count(), 2U * 100 - 4);
+  return all;
+}
+
+/// A vertex for every face but two, and again.
+TEST(HullOfHalfSpaces, OfManyHasAsManyVerticesAsEulerSays) {
+  EXPECT_EQ(hull_of_half_spaces(around_ball(100, 1)).vertex_count(), 2U * 100 - 4);
+}
+
+TEST(HullOfHalfSpaces, ThatCutNothingOffOrAreThereOftenDoNoHarm) {
+  HalfSpaces all = cube(0.5);
+  const HalfSpaces beyond = around_ball(200, 2);
+  all.insert(all.end(), beyond.begin(), beyond.end());
+  for (int i = 0; i < 1000; ++i) all.push_back(all[static_cast<std::size_t>(i % 6)]);
+  EXPECT_EQ(hull_of_half_spaces(all).vertex_count(), 8U);
+}
+
+TEST(HullOfHalfSpaces, IsGivenUpWhereItTakesTooManyComparisons) {
+  const HalfSpaces many = around_ball(60, 1);
+  try {
+    static_cast<void>(hull_of_half_spaces(many, 5000));
+    ADD_FAILURE() << "it was not given up";
+  } catch (const Error& error) {
+    EXPECT_TRUE(has(error.what(), "more than 5000 comparisons")) << error.what();
+  }
+  EXPECT_EQ(hull_of_half_spaces(many, 1'000'000).vertex_count(), 2U * 60 - 4);
+  // What has no point in common is found before, and named.
+  HalfSpaces empty = many;
+  empty.emplace_back(Vec3{5, 0, 0}, Vec3{-1, 0, 0});
+  EXPECT_TRUE(has(refusal_of(empty), "no point in common")) << refusal_of(empty);
 }
 
 /// A quarter of the random ones have no common point. Those that are named have none, and with one less they have.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -87,10 +88,13 @@ class ConvexHull {
 /// vertex is moved: half a unit in the last place of each coordinate. Half-spaces that add nothing, or are there twice,
 /// do no harm, and the order does not show. Throws Error when the half-spaces have no point in common, naming at most
 /// four that have none; when what they have in common goes on without end, telling a direction; when it is flat, naming
-/// in which planes it lies; and when it is flat only by rounding.
+/// in which planes it lies; when it is flat only by rounding; and when it takes more than so many comparisons of
+/// vertices with planes and with each other.
 ///
-/// Time grows a little more than half-spaces times vertices (2,000: some seconds), memory by an eighth of a byte each.
-[[nodiscard]] ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces);
+/// Time grows with half-spaces times vertices (3,000 about a ball: some two seconds), memory with half-spaces and
+/// vertices. The usual limit is reached after ten to thirty seconds, by some 8,000 about a ball.
+[[nodiscard]] ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces,
+                                             std::uint64_t most_comparisons = 1'000'000'000);
 
 /// What a camera sees, in perspective.
 struct View {

@@ -15,25 +15,6 @@ constexpr double largest_clipped = 0x1p1000;
 
 }  // namespace
 
-BspSide side_of(const FloatBspPlane& plane) {
-  const Vec3 normal = as_doubles(plane.normal);
-  return {normal, plane.offset, plane.bound, sum_of_magnitudes(normal)};
-}
-
-/// Where the exact height of the shape's lowest or highest point is 0, the computed one is within the error, so this is
-/// no farther from where the computed one is 0 than the error over the rise. The error is 2^-20 of the slope times
-/// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here.
-BspStretch BspHeights::cut(BspStretch stretch, double risen, bool begins) const {
-  const double crossing = risen / rise, off = 2 * std::fabs(error / rise);
-  if (!(off < 1 && std::fabs(crossing) < 2)) return stretch;  // so for NaN
-  if (!begins) {
-    stretch.to = std::min(stretch.to, crossing + off);
-  } else if (crossing - off > stretch.from) {
-    stretch.from = crossing - off;
-  }
-  return stretch;
-}
-
 BspSweep::BspSweep(const BspTree::Parts& parts, const Vec3& point, const Vec3& motion)
     : parts_(parts), motion_(motion) {
   pose({&point, 1}, {point, point}, 0);
@@ -97,11 +78,17 @@ void BspSweep::clip_to_box(const Aabb& box) {
 /// up to `reach_` it is at most that many times the bound. Of the bound some 2^-21 of the slope are for roundings of
 /// floats, which do not happen here: that is more than the some 45 roundings of doubles, those in which a normal was
 /// summed up included. Being off by `off_` is worth that times the slope.
-BspHeights BspSweep::rough_heights(const BspSide& side) const {
+inline BspHeights BspSweep::heights_of_middle(const BspSide& side) const {
   const double error = 1.001 * (reach_ * side.bound + 3 * side.slope * off_);
+  return {dot(side.normal, start_) - side.offset, dot(side.normal, way_), 0, 0, error};
+}
+
+inline BspHeights BspSweep::rough_heights(const BspSide& side) const {
+  BspHeights result = heights_of_middle(side);
   const double round = radius_ > 0 ? radius_ * plain_length(side.normal) : 0;
-  const double reach = dot(magnitudes(side.normal), half_) + round;
-  return {dot(side.normal, start_) - side.offset, dot(side.normal, way_), -reach, reach, error};
+  result.high = dot(magnitudes(side.normal), half_) + round;
+  result.low = -result.high;
+  return result;
 }
 
 BspHeights BspSweep::heights(const BspSide& side) const {
@@ -131,17 +118,19 @@ void BspSweep::run_through_cells(Enter enter) {
 
 void BspSweep::run(Meet meet, Enter enter) {
   if (enters_ > leaves_) return;
+  const bool is_point = points_.empty() && radius_ == 0;
+  is_point ? pass_all<Extent::point>(meet, enter) : pass_all<Extent::shape>(meet, enter);
+}
+
+template <BspSweep::Extent extent>
+void BspSweep::pass_all(Meet meet, Enter enter) {
+  waiting_.reserve(parts_.statistics.depth + 1);
   waiting_.push_back({});
   while (!waiting_.empty()) {
     const Waiting waiting = waiting_.back();
     waiting_.pop_back();
-    // A time is the fraction's place between both ends, in four roundings of numbers up to 1.
-    if (!(time_before(waiting.stretch) > latest_)) pass(waiting, meet, enter);
+    if (is_of_interest(waiting.stretch)) pass<extent>(waiting, meet, enter);
   }
-}
-
-double BspSweep::time_before(const BspStretch& stretch) const {
-  return enters_ + stretch.from * (leaves_ - enters_) - 0x1p-50;
 }
 
 Vec3 BspSweep::against_motion(const Vec3& normal) const {
@@ -154,6 +143,36 @@ Vec3 BspSweep::entered_across(const BspStretch& stretch) const {
   return against_motion(side_of(parts_.nodes[static_cast<std::size_t>(stretch.entered)].floats).normal);
 }
 
+/// No better than is needed to know the side.
+template <BspSweep::Extent extent>
+BspHeights BspSweep::heights_for(const BspSide& side, const BspStretch& stretch) const {
+  if (extent == Extent::point) return heights_of_middle(side);
+  const BspHeights rough = rough_heights(side);
+  return points_.empty() || rough.side(stretch) != Sign::zero ? rough : heights(side);
+}
+
+/// The part on the side that it comes from goes on at once, the other waits.
+template <BspSweep::Extent extent>
+inline BspStretch BspSweep::pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet) {
+  const BspChild at = stretch.at;
+  const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
+  BspStretch behind = along.behind(stretch), in_front = along.in_front(stretch);
+  const BspStretch in_plane{at, at, std::max(behind.from, in_front.from), std::min(behind.to, in_front.to)};
+  if (!in_plane.is_empty())
+    for (const StoredFragment& fragment : parts_.fragments_of(at))
+      latest_ = std::min(latest_, meet(fragment.triangle, in_plane));
+  const bool rises = along.rise > 0;
+  BspStretch first = rises ? behind : in_front, last = rises ? in_front : behind;
+  if (last.from > stretch.from) last.entered = at;
+  first.at = node.child[!rises];
+  last.at = node.child[rises];
+  const bool goes_on = !first.is_empty();
+  if (goes_on && !last.is_empty()) waiting_.push_back({last, depth_ + 1, {at, rises}});
+  follow({at, rises != goes_on});
+  return goes_on ? first : last;
+}
+
+template <BspSweep::Extent extent>
 void BspSweep::pass(const Waiting& waiting, Meet meet, Enter enter) {
   BspStretch stretch = waiting.stretch;
   depth_ = waiting.depth;
@@ -162,47 +181,18 @@ void BspSweep::pass(const Waiting& waiting, Meet meet, Enter enter) {
     follow(waiting.last);
   }
   while (!is_leaf(stretch.at)) {
-    const BspChild at = stretch.at;
-    const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
-    const BspSide plane = side_of(node.floats);
-    BspHeights along = rough_heights(plane);
-    Sign side = along.side(stretch);
-    if (side == Sign::zero && !points_.empty()) {
-      along = heights(plane);
-      side = along.side(stretch);
+    const BspNode& node = parts_.nodes[static_cast<std::size_t>(stretch.at)];
+    const BspHeights along = heights_for<extent>(side_of(node.floats), stretch);
+    const Sign side = along.side(stretch);
+    if (side != Sign::zero) {
+      follow({stretch.at, side == Sign::positive});
+      stretch.at = node.child[side == Sign::positive];
+      continue;
     }
-    if (side == Sign::zero) return pass_on_both_sides(stretch, along, meet);
-    follow({at, side == Sign::positive});
-    stretch.at = node.child[side == Sign::positive];
+    stretch = pass_on_both_sides<extent>(stretch, along, meet);
+    if (!is_of_interest(stretch)) return;
   }
   if (winding_of_leaf(stretch.at) != 0) latest_ = std::min(latest_, enter(stretch));
-}
-
-void BspSweep::follow(const Step& step) {
-  if (!path_.empty()) path_[depth_] = step;
-  ++depth_;
-}
-
-void BspSweep::pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet) {
-  const BspChild at = stretch.at;
-  const BspNode& node = parts_.nodes[static_cast<std::size_t>(at)];
-  BspStretch behind = along.behind(stretch), in_front = along.in_front(stretch);
-  const BspStretch in_plane{at, at, std::max(behind.from, in_front.from), std::min(behind.to, in_front.to)};
-  if (behind.from > stretch.from) behind.entered = at;
-  if (in_front.from > stretch.from) in_front.entered = at;
-  behind.at = node.back();
-  in_front.at = node.front();
-  // The last is looked at first.
-  if (along.rise > 0) push(in_front, {at, true});
-  push(behind, {at, false});
-  if (!(along.rise > 0)) push(in_front, {at, true});
-  if (in_plane.is_empty()) return;
-  for (const StoredFragment& fragment : parts_.fragments_of(at))
-    latest_ = std::min(latest_, meet(fragment.triangle, in_plane));
-}
-
-void BspSweep::push(const BspStretch& stretch, const Step& last) {
-  if (!stretch.is_empty()) waiting_.push_back({stretch, depth_ + 1, last});
 }
 
 /// Local places, each off by less than three times `off_`, and where the shape is by some roundings more.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -29,7 +31,10 @@ struct BspSide {
   double slope = 0;
 };
 
-[[nodiscard]] BspSide side_of(const FloatBspPlane& plane);
+[[nodiscard]] inline BspSide side_of(const FloatBspPlane& plane) {
+  const Vec3 normal = as_doubles(plane.normal);
+  return {normal, plane.offset, plane.bound, sum_of_magnitudes(normal)};
+}
 
 /// The heights of a shape that moves above a plane: of its middle where they begin and how they go on, how far the
 /// shape reaches down and up from there, and what all of this is off by.
@@ -43,15 +48,27 @@ struct BspHeights {
   /// On which side all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
   [[nodiscard]] Sign side(const BspStretch& s) const {
     const double first = start + s.from * rise, last = start + s.to * rise;
-    if (first + low > error && last + low > error) return Sign::positive;
-    return first + high < -error && last + high < -error ? Sign::negative : Sign::zero;
+    const double above = error - low, below = -error - high;
+    if (first > above && last > above) return Sign::positive;
+    return first < below && last < below ? Sign::negative : Sign::zero;
   }
   // The part of the stretch in which some of the shape may lie there, or on the plane.
   [[nodiscard]] BspStretch in_front(const BspStretch& s) const { return cut(s, -high - start, rise > 0); }
   [[nodiscard]] BspStretch behind(const BspStretch& s) const { return cut(s, -low - start, rise < 0); }
 
  private:
-  [[nodiscard]] BspStretch cut(BspStretch stretch, double risen, bool begins) const;
+  /// Where the exact height of the shape's lowest or highest point is 0, the computed one is within the error, so this
+  /// is no farther from where the computed one is 0 than the error over the rise. The error is 2^-20 of the slope times
+  /// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here.
+  [[nodiscard]] BspStretch cut(BspStretch stretch, double risen, bool begins) const {
+    const double per_rise = 1 / rise, crossing = risen * per_rise, off = 2 * std::fabs(error * per_rise);
+    if (!(off < 1 && std::fabs(crossing) < 2)) return stretch;  // so for NaN
+    if (begins)
+      stretch.from = std::max(stretch.from, crossing - off);
+    else
+      stretch.to = std::min(stretch.to, crossing + off);
+    return stretch;
+  }
 };
 
 /// Takes a convex shape that moves straight on, or stands, through the cells of a tree: a ray, a segment, a shape with
@@ -74,8 +91,11 @@ class BspSweep {
   /// Whether the triangle is so near the way during the stretch that it may be met, by boxes.
   [[nodiscard]] bool may_meet(const Triangle& triangle, const BspStretch& stretch) const;
 
-  /// A time that is not later than the beginning of the stretch.
-  [[nodiscard]] double time_before(const BspStretch& stretch) const;
+  /// A time that is not later than the beginning of the stretch: the fraction's place between both ends, in four
+  /// roundings of numbers up to 1.
+  [[nodiscard]] double time_before(const BspStretch& stretch) const {
+    return enters_ + stretch.from * (leaves_ - enters_) - 0x1p-50;
+  }
 
   [[nodiscard]] BspHeights heights(const BspSide& side) const;
 
@@ -88,6 +108,8 @@ class BspSweep {
   [[nodiscard]] std::vector<BspSide> sides_of_cell() const;
 
  private:
+  /// Points are asked for so often that nothing is computed for them which is 0.
+  enum class Extent { point, shape };
   /// From a node to a child.
   struct Step {
     BspChild node = 0;
@@ -102,10 +124,22 @@ class BspSweep {
   void pose(std::span<const Vec3> points, const Aabb& box, double radius);
   void clip_to_box(const Aabb& box);
   void run(Meet meet, Enter enter);
+  template <Extent extent>
+  void pass_all(Meet meet, Enter enter);
+  template <Extent extent>
   void pass(const Waiting& waiting, Meet meet, Enter enter);
-  void pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet);
-  void follow(const Step& step);
-  void push(const BspStretch& stretch, const Step& last);
+  template <Extent extent>
+  [[nodiscard]] BspHeights heights_for(const BspSide& side, const BspStretch& stretch) const;
+  template <Extent extent>
+  [[nodiscard]] BspStretch pass_on_both_sides(const BspStretch& stretch, const BspHeights& along, Meet meet);
+  void follow(const Step& step) {
+    if (!path_.empty()) path_[depth_] = step;
+    ++depth_;
+  }
+  [[nodiscard]] bool is_of_interest(const BspStretch& stretch) const {
+    return !stretch.is_empty() && !(time_before(stretch) > latest_);
+  }
+  [[nodiscard]] BspHeights heights_of_middle(const BspSide& side) const;
   /// By the box around the shape.
   [[nodiscard]] BspHeights rough_heights(const BspSide& side) const;
 
