@@ -69,6 +69,14 @@ ThingEdges edges_of(const LevelSet& set) {
   return thing;
 }
 
+ThingEdges edges_of(const Triangle& triangle) {
+  ThingEdges thing;
+  for (const Vec3& corner : triangle.vertex) thing.corners.add(corner);
+  thing.edges = {{{0, 1}, {1, 2}, {2, 0}}};
+  thing.count = 3;
+  return thing;
+}
+
 std::optional<EdgeGap> edge_gap(const FewCorners& core, const ThingEdges& thing) {
   if (core.count == 0 || core.count > 2 || thing.count == 0) return {};
   const FewCorners& corners = thing.corners;

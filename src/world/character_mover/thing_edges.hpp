@@ -23,6 +23,8 @@ struct ThingEdges {
 };
 
 [[nodiscard]] ThingEdges edges_of(const LevelSet& set);
+/// All three, also where the corners are on a line.
+[[nodiscard]] ThingEdges edges_of(const Triangle& triangle);
 
 /// How far a point or a segment is from a thing, where the two are nearest at an edge of it.
 struct EdgeGap {

@@ -28,6 +28,8 @@ struct ThingPlanes {
 };
 
 [[nodiscard]] ThingPlanes planes_of(const LevelSet& set);
+/// The same of the triangle as a set.
+[[nodiscard]] ThingPlanes planes_of(const Triangle& triangle);
 
 /// The vertices of a polytope of at most eight; of others none.
 struct FewCorners {
@@ -36,7 +38,14 @@ struct FewCorners {
   double extent = 0;  ///< the greatest coordinate
 
   void add(const Vec3& corner);
-  [[nodiscard]] double lowest_along(const Vec3& direction) const;
+  [[nodiscard]] double lowest_along(const Vec3& direction) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double height = dot(direction, corners[i]);
+      if (height < lowest) lowest = height;
+    }
+    return lowest;
+  }
 };
 
 /// How far a polytope is from a thing, by the plane that separates the two the most.
