@@ -46,8 +46,7 @@ MoverRow measured(MoverLibrary& library, const WalkWork& work, const SceneIndex&
   MoverRow row{library.description(), work.level};
   row.build_ms = 1e3 * seconds_of([&] { library.build(work); }, Clock::thread);
   std::vector<std::vector<double>> fastest;
-  for (const Walk& walk : work.walks)
-    fastest.emplace_back(walk.wishes.size(), std::numeric_limits<double>::infinity());
+  for (const Walk& walk : work.walks) fastest.emplace_back(walk.wishes.size(), std::numeric_limits<double>::infinity());
   std::vector<WalkedFeet> feet;
   for (int round = 0; round < rounds; ++round) feet = walked(library, work, fastest);
   const std::vector<std::size_t> counted = counted_steps(work, level, feet);
@@ -79,14 +78,14 @@ bool is_toccata_wrong(const MoverRow& row) {
 }
 
 Json json_of(const MoverRow& row, double ratio) {
-  return {{"library", row.who.library},         {"variant", row.who.variant},
-          {"version", row.who.version},         {"level", row.level},
-          {"steps", row.faults.steps},          {"median_us", row.median_us},
-          {"mean_us", row.mean_us},             {"p99_us", row.p99_us},
-          {"worst_us", row.worst_us},           {"ratio", ratio},
-          {"build_ms", row.build_ms},           {"walked", row.faults.walked},
-          {"catches", row.faults.catches},      {"lost", row.faults.lost},
-          {"overlaps", row.faults.overlaps},    {"deepest", row.faults.deepest},
+  return {{"library", row.who.library},      {"variant", row.who.variant},
+          {"version", row.who.version},      {"level", row.level},
+          {"steps", row.faults.steps},       {"median_us", row.median_us},
+          {"mean_us", row.mean_us},          {"p99_us", row.p99_us},
+          {"worst_us", row.worst_us},        {"ratio", ratio},
+          {"build_ms", row.build_ms},        {"walked", row.faults.walked},
+          {"catches", row.faults.catches},   {"lost", row.faults.lost},
+          {"overlaps", row.faults.overlaps}, {"deepest", row.faults.deepest},
           {"tunnels", row.faults.tunnels}};
 }
 
@@ -99,8 +98,8 @@ double ratio_of(const MoverRow& row, const std::vector<MoverRow>& rows) {
 
 void print_table(const std::vector<MoverRow>& rows) {
   fmt::print("{:<9}{:<9}{:>8}{:>11}{:>9}{:>9}{:>10}{:>8}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}\n", "level", "library", "steps",
-             "median us", "mean us", "p99 us", "worst us", "ratio", "walked", "catches", "lost %", "overlaps", "deepest",
-             "tunnels");
+             "median us", "mean us", "p99 us", "worst us", "ratio", "walked", "catches", "lost %", "overlaps",
+             "deepest", "tunnels");
   for (const MoverRow& row : rows) {
     const WalkFaults& faults = row.faults;
     fmt::print("{:<9}{:<9}{:>8}{:>11.2f}{:>9.2f}{:>9.1f}{:>10.1f}{:>8.2f}{:>9.1f}{:>9}{:>9.2f}{:>10}{:>9.4f}{:>9}\n",

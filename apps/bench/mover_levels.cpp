@@ -106,8 +106,8 @@ void add_crowd(std::vector<SceneInstance>& models, std::size_t triangles, std::u
   for (std::size_t i = 0; i < triangles / 100; ++i) {
     const Vec3 half{random.between(0.05, 0.3), random.between(0.05, 0.3), random.between(0.3, 3)};
     const double x = random.between(0, half_side), y = random.between(0, half_side);
-    models.push_back({Box(half), Pose{rotation_about({0, 0, 1}, random.between(0, 360)), {x, y, 0}}, Solid::automatic,
-                      ""});
+    models.push_back(
+        {Box(half), Pose{rotation_about({0, 0, 1}, random.between(0, 360)), {x, y, 0}}, Solid::automatic, ""});
   }
 }
 

@@ -13,8 +13,8 @@
 
 namespace toccata {
 
-/// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that is
-/// told by its planes and edges. By one thread at a time.
+/// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that
+/// is told by its planes and edges. By one thread at a time.
 class ElementSet {
  public:
   explicit ElementSet(LevelSet set) : set_(std::move(set)) {}

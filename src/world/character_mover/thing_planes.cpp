@@ -29,8 +29,7 @@ void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& norm
 void add_planes_of_triangle(ThingPlanes& planes, const Triangle& t) {
   const std::array<Vec3, 3> sides{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3 across = cross(sides[0], t[2] - t[0]);
-  const double longest_square =
-      std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
+  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
   if (!(length(across) > least_width * longest_square)) return;
   const Vec3 normal = normalized(across);
   const auto add = [&](const Vec3& n) {
