@@ -274,6 +274,23 @@ def check_moving_shapes(with_bullet):
     assert refused.returncode == 2 and "--task cast" in refused.stderr, refused.stderr
 
 
+def check_mover(peers):
+    """Characters of Toccata never catch, overlap or pass through anything; a file may be the level; Bullet walks too."""
+    named = ["--peer", "bullet"] if "bullet" in peers else []
+    few = ("--triangles", "2000", "--walks", "2", "--steps", "40", "--rounds", "1")
+    made = report("mover", *few, *named)
+    levels = ["terrain", "crowd", "rooms", "seams"]
+    libraries = ["toccata"] + (["bullet"] if named else [])
+    assert [(r["level"], r["library"]) for r in made["results"]] == [(w, n) for w in levels for n in libraries], made["results"]
+    for row in made["results"]:
+        assert 0 < row["median_us"] <= row["p99_us"] <= row["worst_us"] and row["walked"] > 0, row
+        assert row["library"] != "toccata" or row["catches"] == row["overlaps"] == row["tunnels"] == 0, row
+    made = report("mover", "--mesh", "gen:height-field?cells-x=30&cells-y=30", "--scale", "3", *few)
+    assert [r["level"] for r in made["results"]] == ["mesh"] and made["results"][0]["overlaps"] == 0, made["results"]
+    refused = run("mover", "--level", "nowhere", *few)
+    assert refused.returncode == 2 and "nowhere" in refused.stderr, refused.stderr
+
+
 def check_casts(peers):
     """Every pair and regime, every answer of Toccata judged with 60 digits; who cannot be asked is told with the reason."""
     asked = [peer for peer in ("bullet", "fcl", "ode") if peer in peers]
@@ -379,6 +396,7 @@ def main():
     check_world(peers)
     check_parts(peers)
     check_world_queries(peers)
+    check_mover(peers)
     check_casts(peers)
     check_cells()
     check_sums(peers)

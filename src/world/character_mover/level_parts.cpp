@@ -8,7 +8,8 @@ namespace {
 
 LevelElement with_planes(LevelSet set, Index object, Index element, const Aabb& box) {
   const ThingPlanes planes = planes_of(set);
-  return {std::move(set), object, element, box, planes};
+  const ThingEdges edges = edges_of(set);
+  return {ElementSet(std::move(set)), object, element, box, planes, edges};
 }
 
 }  // namespace
@@ -27,9 +28,13 @@ LevelElement element_of(const PosedPart& part, Index object) {
   return with_planes(std::get<PosedHalfSpace>(part.shape), object, element, box);
 }
 
+LevelElement element_of(const Triangle& triangle, Index object, Index element, const Aabb& box) {
+  return {ElementSet(triangle), object, element, box, planes_of(triangle), edges_of(triangle)};
+}
+
 LevelElement element_of(const PosedMesh& mesh, Index triangle, Index first_element, Index object) {
   const Triangle corners = mesh.triangle(triangle);
-  return with_planes(PosedPolytope(corners), object, first_element + triangle, box_of(corners));
+  return element_of(corners, object, first_element + triangle, box_of(corners));
 }
 
 }  // namespace toccata

@@ -2,22 +2,43 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "query/posed_shape.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/query/model.hpp"
+#include "world/character_mover/thing_edges.hpp"
 #include "world/character_mover/thing_planes.hpp"
 
 namespace toccata {
 
+/// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that
+/// is told by its planes and edges. By one thread at a time.
+class ElementSet {
+ public:
+  explicit ElementSet(LevelSet set) : set_(std::move(set)) {}
+  explicit ElementSet(const Triangle& triangle) : triangle_(triangle) {}
+
+  // NOLINTNEXTLINE(google-explicit-constructor): it is that set.
+  operator const LevelSet&() const {
+    if (!set_) set_.emplace(std::in_place_type<PosedPolytope>, triangle_);
+    return *set_;
+  }
+
+ private:
+  Triangle triangle_{};
+  mutable std::optional<LevelSet> set_;
+};
+
 /// A convex thing of the level, and what it is called.
 struct LevelElement {
-  LevelSet set;
+  ElementSet set;
   Index object = 0;
   Index element = 0;  ///< as in Model
   Aabb box;           ///< around it, in the world
   ThingPlanes planes;
+  ThingEdges edges;
 };
 
 /// How far a body is from a convex thing.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <tuple>
 
 #include "query/casts/swept_view.hpp"
@@ -38,6 +37,7 @@ void MoverSurroundings::look_around(const Aabb& box) {
 }
 
 void MoverSurroundings::gather() {
+  candidates_.clear();
   elements_.clear();
   solids_.clear();
   std::vector<Index> near;
@@ -59,13 +59,23 @@ void MoverSurroundings::gather_object(Index object) {
         return true;
       });
       std::sort(triangles.begin(), triangles.end());
-      elements_.reserve(elements_.size() + triangles.size());
-      for (const Index i : triangles) elements_.push_back(element_of(mesh->mesh, i, part.first_element, object));
+      for (const Index i : triangles) {
+        const Triangle corners = mesh->mesh.triangle(i);
+        candidates_.push_back({box_of(corners), corners, object, part.first_element + i, nullptr});
+      }
       if (mesh->solid) solids_.push_back({object, mesh->mesh});
     } else if (overlap(world_box(part.shape), region_)) {
-      elements_.push_back(element_of(part, object));
+      const LevelElement& element = elements_.emplace_back(element_of(part, object));
+      candidates_.push_back({element.box, {}, object, element.element, &element});
     }
   }
+}
+
+const LevelElement& MoverSurroundings::made(Candidate& candidate) {
+  if (candidate.made == nullptr)
+    candidate.made =
+        &elements_.emplace_back(element_of(candidate.triangle, candidate.object, candidate.element, candidate.box));
+  return *candidate.made;
 }
 
 std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
@@ -73,8 +83,9 @@ std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, do
   look_around(box);
   const MoverBody::Placed placed = body_.placed_at(position);
   std::vector<NearThing> near;
-  for (const LevelElement& element : elements_) {
-    if (!overlap(element.box, box)) continue;
+  for (Candidate& candidate : candidates_) {
+    if (!overlap(candidate.box, box)) continue;
+    const LevelElement& element = made(candidate);
     if (body_.bound_of(placed, element, distance).distance > distance) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
@@ -176,8 +187,9 @@ std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position
   const MoverBody::Placed start = body_.placed_at(position);
   const double same = same_time(motion);
   std::vector<Waiting> waiting;
-  for (const LevelElement& element : elements_) {
-    if (element.object == without || !overlap(element.box, way)) continue;
+  for (Candidate& candidate : candidates_) {
+    if (candidate.object == without || !overlap(candidate.box, way)) continue;
+    const LevelElement& element = made(candidate);
     const double time = free_until(element, start, motion);
     if (time > 1) continue;
     const MoverBody::Placed then = body_.placed_at(position + time * motion);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,6 +61,16 @@ class MoverSurroundings {
     const LevelElement* thing;
   };
 
+  /// Something whose box meets the region. What a triangle's planes and edges are is found when it is first looked at.
+  struct Candidate {
+    Aabb box;
+    Triangle triangle{};
+    Index object = 0;
+    Index element = 0;
+    const LevelElement* made = nullptr;
+  };
+  [[nodiscard]] const LevelElement& made(Candidate& candidate);
+
   void gather();
   void gather_object(Index object);
   [[nodiscard]] bool is_long(const Vec3& motion) const;
@@ -79,8 +90,9 @@ class MoverSurroundings {
   const MoverBody& body_;
   double skin_;
   double least_gap_;
-  Aabb region_;  ///< what meets it is in `elements_`
-  std::vector<LevelElement> elements_;
+  Aabb region_;  ///< what meets it is in `candidates_`
+  std::vector<Candidate> candidates_;
+  std::deque<LevelElement> elements_;
   std::vector<Holder> solids_;
 };
 

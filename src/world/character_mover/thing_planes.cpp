@@ -25,18 +25,26 @@ void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& norm
   planes.planes[planes.count++] = {normal, top};
 }
 
-void add_planes_of_triangle(ThingPlanes& planes, const PosedPolytope& t) {
-  const Vec3 normal = normalized(cross(t.vertex(1) - t.vertex(0), t.vertex(2) - t.vertex(0)));
-  add_plane(planes, t, normal);
-  add_plane(planes, t, -normal);
-  for (Index i = 0; i < 3; ++i) add_plane(planes, t, normalized(cross(t.vertex((i + 1) % 3) - t.vertex(i), normal)));
+/// Where it is not so narrow that its corners are on a line, but for rounding.
+void add_planes_of_triangle(ThingPlanes& planes, const Triangle& t) {
+  const std::array<Vec3, 3> sides{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  const Vec3 across = cross(sides[0], t[2] - t[0]);
+  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
+  if (!(length(across) > least_width * longest_square)) return;
+  const Vec3 normal = normalized(across);
+  const auto add = [&](const Vec3& n) {
+    planes.planes[planes.count++] = {n, std::max({dot(n, t[0]), dot(n, t[1]), dot(n, t[2])})};
+  };
+  add(normal);
+  add(-normal);
+  for (const Vec3& side : sides) add(normalized(cross(side, normal)));
 }
 
-/// Not where its corners are on a line, but for rounding.
-bool is_wide(const PosedPolytope& t) {
-  const Vec3 a = t.vertex(1) - t.vertex(0), b = t.vertex(2) - t.vertex(0), c = b - a;
-  const double longest_square = std::max({dot(a, a), dot(b, b), dot(c, c)});
-  return length(cross(a, b)) > least_width * longest_square;
+/// None where a normal is no direction.
+ThingPlanes with_normals(ThingPlanes planes) {
+  for (std::size_t i = 0; i < planes.count; ++i)
+    if (planes.planes[i].normal == Vec3{}) planes.count = 0;
+  return planes;
 }
 
 bool has_corners_in(const ThingPlanes::Plane& plane, const PosedPolytope& thing, Index face, double tolerance) {
@@ -72,24 +80,30 @@ ThingPlanes planes_of(const LevelSet& set) {
   for (Index i = 0; i < thing->vertex_count(); ++i)
     planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
-  if (thing->vertex_count() == 3 && faces == 2) {
-    if (is_wide(*thing)) add_planes_of_triangle(planes, *thing);
-  } else if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) {
-    add_planes_of_faces(planes, *thing);
-  }
-  for (std::size_t i = 0; i < planes.count; ++i)
-    if (planes.planes[i].normal == Vec3{}) planes.count = 0;
-  return planes;
+  if (thing->vertex_count() == 3 && faces == 2)
+    add_planes_of_triangle(planes, Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
+  if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) add_planes_of_faces(planes, *thing);
+  return with_normals(planes);
 }
 
-double FewCorners::lowest_along(const Vec3& direction) const {
-  double lowest = infinity;
-  for (std::size_t i = 0; i < count; ++i) lowest = std::min(lowest, dot(direction, corners[i]));
-  return lowest;
+ThingPlanes planes_of(const Triangle& triangle) {
+  ThingPlanes planes;
+  for (const Vec3& corner : triangle.vertex) planes.extent = std::max(planes.extent, most_of_coordinates(corner));
+  add_planes_of_triangle(planes, triangle);
+  return with_normals(planes);
+}
+
+void FewCorners::add(const Vec3& corner) {
+  corners[count++] = corner;
+  extent = std::max(extent, most_of_coordinates(corner));
+}
+
+double height_slack(double extent_above, double extent_below) {
+  return height_error * std::max(extent_above, extent_below);
 }
 
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
-  return height_error * std::max(above.extent, planes.extent);
+  return height_slack(above.extent, planes.extent);
 }
 
 PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {

@@ -28,6 +28,8 @@ struct ThingPlanes {
 };
 
 [[nodiscard]] ThingPlanes planes_of(const LevelSet& set);
+/// The same of the triangle as a set.
+[[nodiscard]] ThingPlanes planes_of(const Triangle& triangle);
 
 /// The vertices of a polytope of at most eight; of others none.
 struct FewCorners {
@@ -35,7 +37,15 @@ struct FewCorners {
   std::size_t count = 0;
   double extent = 0;  ///< the greatest coordinate
 
-  [[nodiscard]] double lowest_along(const Vec3& direction) const;
+  void add(const Vec3& corner);
+  [[nodiscard]] double lowest_along(const Vec3& direction) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double height = dot(direction, corners[i]);
+      if (height < lowest) lowest = height;
+    }
+    return lowest;
+  }
 };
 
 /// How far a polytope is from a thing, by the plane that separates the two the most.
@@ -46,7 +56,8 @@ struct PlaneGap {
   Vec3 foot{};            ///< then, where on it
 };
 
-/// What heights along the normals of planes may be off by.
+/// What heights along unit vectors may be off by, of things whose coordinates are no greater.
+[[nodiscard]] double height_slack(double extent_above, double extent_below);
 [[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
 
 /// By the first plane that is `enough`, or else the best.
