@@ -29,12 +29,16 @@ struct CageCrease {
   Index first = 0;
   Index second = 0;
   double sharpness = std::numeric_limits<double>::infinity();
+
+  friend constexpr bool operator==(const CageCrease&, const CageCrease&) = default;
 };
 
 /// A vertex of the cage that is to stay where it is, likewise.
 struct CageCorner {
   Index vertex = 0;
   double sharpness = std::numeric_limits<double>::infinity();
+
+  friend constexpr bool operator==(const CageCorner&, const CageCorner&) = default;
 };
 
 /// What is as sharp as this is so at every level.
@@ -50,7 +54,25 @@ struct CageFeatures {
   std::vector<CageCrease> creases{};
   std::vector<CageCorner> corners{};
   CageBorder border = CageBorder::smooth;
+
+  friend bool operator==(const CageFeatures&, const CageFeatures&) = default;
 };
+
+/// The faces of a mesh as a cage has them.
+struct CagePolygons {
+  PolygonMesh polygons;
+  /// Of each vertex of the mesh; the greatest Index of one that no triangle uses, which a cage has not.
+  std::vector<Index> vertex_of;
+};
+
+/// The polygons that were cut into the mesh's triangles, as they are in the file, beginning at another corner perhaps.
+/// Vertices of equal coordinates become one, as in STL files each triangle has its own. Throws Error naming a face that
+/// is no polygon without holes.
+[[nodiscard]] CagePolygons cage_polygons(const TriangleMesh& mesh);
+
+/// The edges whose two faces turn by more than the angle, in degrees, sharp for ever: 0 … 180. Throws Error as
+/// SubdivisionCage does, and for another angle.
+[[nodiscard]] std::vector<CageCrease> creases_by_angle(const PolygonMesh& polygons, double degrees);
 
 /// A control cage, which stands for its limit surface.
 class SubdivisionCage {

@@ -1,7 +1,5 @@
 #include "query/subdivision/limit_search.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "math/constants.hpp"
@@ -14,16 +12,8 @@ namespace {
 /// Deeper than this doubles do not resolve what is near a point.
 constexpr int deepest_searched_level = 60;
 
-/// More than the rounding of a sum of two.
-constexpr double up_by_sum = 1 + 0x1p-50;
-
 /// A bound that is no more than so many times what rounding contributes is not worth another level, which adds to that.
 constexpr double worth_of_rounding = 4;
-
-double sum_up(double a, double b) { return (a + b) * up_by_sum; }
-
-/// At most a − b, and not below 0.
-double difference_down(double a, double b) { return std::max(0.0, a - b * up_by_sum - a * 0x1p-50); }
 
 std::vector<double> bounds_of_faces(const LevelMesh& mesh) {
   LimitBounds bounds(mesh);
@@ -38,21 +28,41 @@ std::vector<double> bounds_of_faces(const LevelMesh& mesh) {
 
 }  // namespace
 
+void CageSide::keep(const std::vector<double>& lowers, double upper) {
+  const double rounding = worth_of_rounding * rounding_of_bounds(mesh);
+  candidates.clear();
+  for (Index face = 0; face < mesh.face_count(); ++face)
+    if (mesh.whole[face] && lowers[face] <= upper)
+      candidates.push_back({face, lowers[face], within[face] <= rounding});
+}
+
+double CageSide::least() const {
+  double least = infinity;
+  for (const Candidate& candidate : candidates) least = std::min(least, candidate.lower);
+  return least;
+}
+
+std::vector<Triangle> CageSide::triangles_of(Index face) const {
+  const std::span<const Index> c = mesh.face(face);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 2; i < c.size(); ++i)
+    triangles.push_back({{mesh.points[c[0]], mesh.points[c[i - 1]], mesh.points[c[i]]}});
+  return triangles;
+}
+
 LimitSearch::LimitSearch(const SubdivisionCage& cage, const Model& model, const LimitQuery& query, LimitGoal goal)
-    : query_(query), goal_(goal) {
-  PairQuery pair = query.pair;
-  pair.pose_a = {};
-  pair.solid_a = Solid::automatic;
+    : query_(query), goal_(goal), model_(model) {
+  query_.pair.pose_a = {};
+  query_.pair.solid_a = Solid::automatic;
   is_solid_ = taken_as_solid(model, query.pair.solid_b);
-  model_ = Opposite{model, 0, pair, {}};
-  sides_.push_back({first_level(cage), {}, {}});
+  sides_.emplace_back(cage);
 }
 
 LimitSearch::LimitSearch(const SubdivisionCage& cage, const SubdivisionCage& other, const LimitQuery& query,
                          LimitGoal goal)
     : query_(query), goal_(goal) {
-  sides_.push_back({first_level(cage), {}, {}});
-  sides_.push_back({first_level(other), {}, {}});
+  sides_.emplace_back(cage);
+  sides_.emplace_back(other);
 }
 
 LimitFinding LimitSearch::found() {
@@ -60,88 +70,59 @@ LimitFinding LimitSearch::found() {
     look_at_level();
     finding_.level = sides_[0].mesh.level;
   } while (!is_enough() && refine_open_faces());
-  finding_.lower = std::min(settled_, finding_.best.upper);
-  for (const CageSide& side : sides_)
-    for (const Candidate& candidate : side.candidates) finding_.lower = std::min(finding_.lower, candidate.lower);
+  // Every pair of faces that is left has one of each side, so each side alone has a bound of them all.
+  double left = 0;
+  for (const CageSide& side : sides_) left = std::max(left, side.least());
+  finding_.lower = std::min({settled_, finding_.best.upper, left});
   return finding_;
 }
 
 void LimitSearch::look_at_level() {
   for (CageSide& side : sides_) side.within = bounds_of_faces(side.mesh);
-  if (model_) return look_at(sides_[0], *model_, true);
-  const Opposite second = as_opposite(sides_[1]);
-  const Opposite first = as_opposite(sides_[0]);
-  look_at(sides_[0], second, true);
-  look_at(sides_[1], first, false);
+  if (model_) return look_at_model();
+  look_at_both();
 }
 
-/// All that is left of it as one mesh, of which the least near its limit counts.
-LimitSearch::Opposite LimitSearch::as_opposite(const CageSide& side) {
-  const LevelMesh& mesh = side.mesh;
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> faces;
-  double within = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (!mesh.whole[f]) continue;
-    within = std::max(within, side.within[f]);
-    const std::span<const Index> c = mesh.face(f);
-    for (std::size_t i = 2; i < c.size(); ++i) {
-      triangles.push_back({c[0], c[i - 1], c[i]});
-      faces.push_back(mesh.cage_face[f]);
-    }
-  }
-  PairQuery pair;
-  pair.solid_b = Solid::none;
-  return {Model(TriangleMesh(mesh.points, std::move(triangles))), within, pair, std::move(faces)};
-}
-
-void LimitSearch::look_at(CageSide& side, const Opposite& opposite, bool is_first) {
-  side.candidates.clear();
-  const double rounding = worth_of_rounding * rounding_of_bounds(side.mesh);
-  for (Index face = 0; face < side.mesh.face_count(); ++face) {
+void LimitSearch::look_at_model() {
+  CageSide& side = sides_[0];
+  std::vector<double> lowers(side.mesh.face_count(), infinity);
+  for (Index face = 0; face < side.mesh.face_count() && !finding_.is_proved_contact; ++face) {
     if (!side.mesh.whole[face]) continue;
-    const double lower = looked_at(side, face, opposite, is_first);
-    if (lower <= finding_.best.upper) side.candidates.push_back({face, lower, side.within[face] <= rounding});
-    if (finding_.is_proved_contact) return;
+    for (const Triangle& triangle : side.triangles_of(face))
+      lowers[face] = std::min(lowers[face], looked_at(triangle, face));
   }
+  side.keep(lowers, finding_.best.upper);
+}
+
+void LimitSearch::look_at_both() {
+  const PairOfSides found = nearest_of_sides(sides_[0], sides_[1], finding_.best);
+  finding_.best = found.best;
+  for (std::size_t i = 0; i < 2; ++i) sides_[i].keep(found.lowers[i], found.best.upper);
 }
 
 /// The least distance that the limit of the face may have; infinite where it cannot be the nearest.
-double LimitSearch::looked_at(const CageSide& side, Index face, const Opposite& opposite, bool is_first) {
-  const std::span<const Index> c = side.mesh.face(face);
-  const auto triangle = [&](std::size_t i, std::size_t j) {
-    return Triangle{{side.mesh.points[c[0]], side.mesh.points[c[i]], side.mesh.points[c[j]]}};
-  };
-  double lower = looked_at(side, triangle(1, 2), face, opposite, is_first);
-  if (c.size() == 4) lower = std::min(lower, looked_at(side, triangle(2, 3), face, opposite, is_first));
-  return lower;
-}
-
-double LimitSearch::looked_at(const CageSide& side, const Triangle& triangle, Index face, const Opposite& opposite,
-                              bool is_first) {
-  const double within = side.within[face];
-  const double both = sum_up(within, opposite.within);
-  const double limit = sum_up(finding_.best.upper, both);
-  const std::optional<Distance> found = distance_within(triangle, opposite.model, limit, opposite.pair, workspace_);
+double LimitSearch::looked_at(const Triangle& triangle, Index face) {
+  const double within = sides_[0].within[face];
+  const double limit = sum_up(finding_.best.upper, within);
+  const std::optional<Distance> found = distance_within(triangle, *model_, limit, query_.pair, workspace_);
   if (!found) return infinity;
-  const double upper = sum_up(found->upper, both);
-  if (is_first && upper < finding_.best.upper)
-    finding_.best = {
-        .upper = upper,
-        .on_mesh = found->on_a,
-        .on_model = found->on_b,
-        .distance_to_limit = within,
-        .cage_face = side.mesh.cage_face[face],
-        .element = opposite.cage_faces.empty() ? found->element_b : opposite.cage_faces[found->element_b],
-        .level = side.mesh.level};
+  const double upper = sum_up(found->upper, within);
+  if (upper < finding_.best.upper)
+    finding_.best = {.upper = upper,
+                     .on_mesh = found->on_a,
+                     .on_model = found->on_b,
+                     .distance_to_limit = within,
+                     .cage_face = sides_[0].mesh.cage_face[face],
+                     .element = found->element_b,
+                     .level = sides_[0].mesh.level};
   if (is_solid_ && found->upper == 0 && is_deep_inside(triangle, within)) finding_.is_proved_contact = true;
-  return difference_down(found->lower, both);
+  return difference_down(found->lower, within);
 }
 
 /// Then so is the point of the limit surface that belongs to the corner.
 bool LimitSearch::is_deep_inside(const Triangle& triangle, double within) const {
   return std::any_of(triangle.vertex.begin(), triangle.vertex.end(), [&](const Vec3& corner) {
-    return signed_distance(corner, model_->model, query_.pair.pose_b).upper < -within;
+    return signed_distance(corner, *model_, query_.pair.pose_b).upper < -within;
   });
 }
 
@@ -155,28 +136,32 @@ bool LimitSearch::is_enough() const {
 }
 
 /// What else may count is settled.
-std::vector<char> LimitSearch::open_faces(const CageSide& side) {
-  std::vector<char> open(side.mesh.face_count(), 0);
-  for (const Candidate& candidate : side.candidates)
+LimitSearch::OpenFaces LimitSearch::open_faces(const CageSide& side) const {
+  OpenFaces open{std::vector<char>(side.mesh.face_count(), 0), 0, infinity};
+  for (const CageSide::Candidate& candidate : side.candidates)
     if (candidate.lower > finding_.best.upper) {
       continue;
     } else if (is_open(candidate.lower) && !candidate.is_settled) {
-      open[candidate.face] = 1;
+      open.marks[candidate.face] = 1;
+      ++open.count;
     } else {
-      settled_ = std::min(settled_, candidate.lower);
+      open.settled = std::min(open.settled, candidate.lower);
     }
   return open;
 }
 
-/// Whether there were any, on every side, and not too many. Where one side has none, what the other has is settled.
+/// Whether there were any, on every side, and not too many.
 bool LimitSearch::refine_open_faces() {
-  std::vector<std::vector<char>> open;
+  std::vector<OpenFaces> open;
   for (const CageSide& side : sides_) {
     open.push_back(open_faces(side));
-    const auto count = static_cast<std::size_t>(std::count(open.back().begin(), open.back().end(), 1));
+    const std::size_t count = open.back().count;
     if (count == 0 || count > query_.max_faces / 4 || side.mesh.level >= deepest_searched_level) return false;
   }
-  for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i].mesh = subdivided(sides_[i].mesh, open[i]);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    settled_ = std::min(settled_, open[i].settled);
+    sides_[i].mesh = subdivided(sides_[i].mesh, open[i].marks);
+  }
   return true;
 }
 
