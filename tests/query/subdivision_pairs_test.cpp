@@ -23,18 +23,18 @@ TEST(LimitPairs, AgreeWithFineMeshesBothWaysRound) {
   const Model mesh_a(fine_a.mesh), mesh_b(fine_b.mesh);
   const double off = fine_a.distance_to_limit + fine_b.distance_to_limit;
   Random random(21);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const Pose pose = Pose::translation(random.between(1.5, 3), random.between(-2, 2), random.between(-2, 2)) *
                       Pose::rotation({1, 2, 3}, random.between(0, 360));
-    const LimitDistance found = distance(a, b, {.pair = {.pose_b = pose}, .tolerance = 1e-5});
-    const LimitDistance turned = distance(b, a, {.pair = {.pose_a = pose}, .tolerance = 1e-5});
+    const LimitDistance found = distance(a, b, {.pair = {.pose_b = pose}, .tolerance = 1e-4});
+    const LimitDistance turned = distance(b, a, {.pair = {.pose_a = pose}, .tolerance = 1e-4});
     const Distance mesh = distance(mesh_a, mesh_b, {.pose_b = pose, .solid_a = Solid::none, .solid_b = Solid::none});
     EXPECT_EQ(found.status, Status::exact);
-    EXPECT_LE(found.upper - found.lower, 1e-5);
+    EXPECT_LE(found.upper - found.lower, 1e-4);
     EXPECT_LE(found.lower, mesh.upper + off);
     EXPECT_GE(found.upper, mesh.lower - off);
     EXPECT_LE(std::max(found.lower, turned.lower), std::min(found.upper, turned.upper));
-    EXPECT_NEAR(length(found.on_mesh - found.on_model), found.upper, 1e-4);
+    EXPECT_NEAR(length(found.on_mesh - found.on_model), found.upper, 1e-3);
     EXPECT_LT(found.element, b.polygons().first.size() - 1);
   }
 }
