@@ -5,6 +5,7 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/subdivision/limit_search.hpp"
+#include "query/subdivision/refinement_rules.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/trees/builders.hpp"
 #include "toccata/trees/walk.hpp"
@@ -48,13 +49,12 @@ class FacePairs {
     for (const ItemPair& pair : pairs) {
       const bool is_near = bound(trees_[0].boxes[pair.first], trees_[1].boxes[pair.second]) <= limit();
       const Index a = trees_[0].faces[pair.first], b = trees_[1].faces[pair.second];
-      if (is_near && ends_[1][b] - ends_[0][a] <= limit()) look_at(a, b);
+      if (is_near && gap_between(a, b) <= limit()) look_at(a, b);
     }
   }
 
   PairOfSides found() && {
     look_at_some();
-    measure_along(found_.best.on_model - found_.best.on_mesh);
     walk_pair(trees_[0].tree, trees_[1].tree, *this);
     return std::move(found_);
   }
@@ -62,14 +62,10 @@ class FacePairs {
  private:
   void look_at(Index a, Index b);
   void look_at_some();
-  void measure_along(const Vec3& way);
+  [[nodiscard]] double gap_between(Index a, Index b) const;
 
   std::array<const CageSide*, 2> sides_;
   std::array<FaceTree, 2> trees_;
-  /// Of each face how far it and its limit reach along a direction, of the first side towards the second, and of the
-  /// second back: two are no nearer than what is between. Where they are nearest, faces are nearly parallel and boxes
-  /// tell little.
-  std::array<std::vector<double>, 2> ends_;
   PairOfSides found_;
   Workspace workspace_;
 };
@@ -115,19 +111,18 @@ void FacePairs::look_at_some() {
   look_at(a, b);
 }
 
-void FacePairs::measure_along(const Vec3& way) {
+/// What is between their limits along the way from the middle of the one to that of the other, at least. Where faces are
+/// small and far apart, boxes tell much less.
+double FacePairs::gap_between(Index a, Index b) const {
+  const CageSide &first = *sides_[0], &second = *sides_[1];
+  const Vec3 way = point_for_face(second.mesh, b) - point_for_face(first.mesh, a);
   const Vec3 unit = unit_or_zero(way) * (1 - 0x1p-50);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const LevelMesh& mesh = sides_[i]->mesh;
-    const double sign = i == 0 ? 1 : -1;
-    ends_[i].assign(mesh.face_count(), 0);
-    for (const Index f : trees_[i].faces) {
-      double most = -infinity;
-      for (const Index corner : mesh.face(f)) most = std::max(most, sign * dot(mesh.points[corner], unit));
-      // With room for the rounding of the sums.
-      ends_[i][f] = sign * (most + up_by_sum * sides_[i]->within[f] + 16 * unit_roundoff * mesh.largest_coordinate);
-    }
-  }
+  double end = -infinity, begin = infinity;
+  for (const Index corner : first.mesh.face(a)) end = std::max(end, dot(first.mesh.points[corner], unit));
+  for (const Index corner : second.mesh.face(b)) begin = std::min(begin, dot(second.mesh.points[corner], unit));
+  // With room for the rounding of the sums.
+  const double largest = std::max(first.mesh.largest_coordinate, second.mesh.largest_coordinate);
+  return begin - end - up_by_sum * (first.within[a] + second.within[b]) - 32 * unit_roundoff * largest;
 }
 
 }  // namespace
