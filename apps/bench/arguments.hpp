@@ -185,6 +185,19 @@ struct ProcessArguments {
   bool json = false;
 };
 
+struct SubdivisionArguments {
+  std::string cage = "torus";
+  std::string scheme = "catmull-clark";
+  std::string task = "distance";  ///< or mesh
+  double within = 1e-3;           ///< of the cage's diagonal, about
+  std::size_t count = 20;         ///< poses of the other
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  std::string clock = "wall";
+  bool json = false;
+};
+
 struct SumsArguments {
   std::string task = "sum";
   std::size_t vertices = 32;
@@ -257,18 +270,5 @@ int run_sweeps(const MotionArguments& arguments);
 int run_swept_volumes(const MotionArguments& arguments);
 int run_deforming(const DeformingArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
-
-struct SubdivisionArguments {
-  std::string cage = "torus";
-  std::string scheme = "catmull-clark";
-  std::string task = "distance";  ///< or mesh
-  double within = 1e-3;           ///< of the cage's diagonal, about
-  std::size_t count = 20;         ///< poses of the other
-  std::vector<std::string> peers;
-  std::uint64_t seed = 1;
-  int rounds = 3;
-  std::string clock = "wall";
-  bool json = false;
-};
 
 }  // namespace toccata::bench
