@@ -43,8 +43,7 @@ LimitRun measured(LimitLibrary& library, const SubdivisionCage& cage, const Subd
   const bool of_mesh = arguments.task == "mesh";
   LimitRun run;
   if (of_mesh) run.points = library.make(cage, arguments.within);
-  if (!of_mesh)
-    run.result.build_ms = 1e3 * seconds_of([&] { library.make_ready(cage, arguments.within); }, clock);
+  if (!of_mesh) run.result.build_ms = 1e3 * seconds_of([&] { library.make_ready(cage, arguments.within); }, clock);
   run.intervals.resize(of_mesh ? 0 : poses.size());
   std::vector<double> times(of_mesh ? 1 : poses.size(), std::numeric_limits<double>::infinity());
   for (int round = 0; round < arguments.rounds; ++round)

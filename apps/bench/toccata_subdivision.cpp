@@ -29,8 +29,8 @@ class WhereNeeded : public LimitLibrary {
     within_ = within;
   }
   [[nodiscard]] LimitInterval distance(const Model& other, const Pose& pose) override {
-    const LimitDistance found = toccata::distance(
-        *cage_, other, {.pair = {.pose_b = pose, .solid_a = Solid::none}, .tolerance = 2 * within_});
+    const LimitDistance found =
+        toccata::distance(*cage_, other, {.pair = {.pose_b = pose, .solid_a = Solid::none}, .tolerance = 2 * within_});
     return {found.lower, found.upper};
   }
 

@@ -71,7 +71,8 @@ int run_subdivide(const SubdivideArguments& arguments) {
     if (arguments.mesh.empty() || report == nullptr || !report->mesh) return std::string();
     write_mesh_output({[&] { return report->mesh->mesh; }, [&] { return limit_object(*report); }},
                       input.loaded.scene.unit, arguments.mesh);
-    return fmt::format("{}: {}.\n", printable(arguments.mesh), counted(report->mesh->mesh.triangle_count(), "triangle"));
+    return fmt::format("{}: {}.\n", printable(arguments.mesh),
+                       counted(report->mesh->mesh.triangle_count(), "triangle"));
   };
   if (const auto code = answered_case(arguments, {"subdivide", asks_something(arguments)}, mesh)) return *code;
   const CheckInput input = read_check_input(arguments);
@@ -114,10 +115,12 @@ Subcommand add_subdivide(CLI::App& app) {
       ->capture_default_str();
   add_file(*subdivide, "--creases", arguments->creases,
            "a file of sharp edges and corners: lines of crease A B [SHARPNESS] or corner V [SHARPNESS]");
-  subdivide->add_option("--crease-angle", arguments->question.crease_angle,
-                        "edges whose faces turn by more than so many degrees are creases")
+  subdivide
+      ->add_option("--crease-angle", arguments->question.crease_angle,
+                   "edges whose faces turn by more than so many degrees are creases")
       ->check(CLI::Range(0, 180));
-  subdivide->add_flag("--sharp-corners", arguments->sharp_corners, "vertices of one face on a border stay where they are");
+  subdivide->add_flag("--sharp-corners", arguments->sharp_corners,
+                      "vertices of one face on a border stay where they are");
   subdivide->add_flag("--both", arguments->question.both, "the second object is a cage, too");
   add_pose_pair(*subdivide, *arguments);
   add_solid(*subdivide, *arguments);
@@ -127,13 +130,13 @@ Subcommand add_subdivide(CLI::App& app) {
   add_pages(*subdivide, *arguments);
   add_glb(*subdivide, *arguments);
   add_save_case(*subdivide, arguments->save_case);
-  subdivide->footer(
-      with_name("What is told is proved of the limit surface (docs/methods/subdivision-surfaces.md). Of two objects the "
-                "first is a cage.\n\n"
-                "Exit code: 0; 1 where two objects meet or it is undecided; 2 for trouble.\n\nExample:\n"
-                "  {0} subdivide cage.obj --within 0.1mm --unit mm -o surface.obj\n"
-                "  {0} subdivide cage.obj part.stl --within 1e-6\n"
-                "  {0} subdivide cage.obj --crease-angle 60 -o surface.glb"));
+  subdivide->footer(with_name(
+      "What is told is proved of the limit surface (docs/methods/subdivision-surfaces.md). Of two objects the "
+      "first is a cage.\n\n"
+      "Exit code: 0; 1 where two objects meet or it is undecided; 2 for trouble.\n\nExample:\n"
+      "  {0} subdivide cage.obj --within 0.1mm --unit mm -o surface.obj\n"
+      "  {0} subdivide cage.obj part.stl --within 1e-6\n"
+      "  {0} subdivide cage.obj --crease-angle 60 -o surface.glb"));
   return {subdivide, [arguments] {
             take_words(*arguments);
             return run_subdivide(*arguments);

@@ -46,8 +46,7 @@ SubdivisionCage random_cage(const std::string& family, Random& random) {
   if (family == "creases") features = random_features(mesh, true, random);
   if (family == "creases-that-end") features = random_features(mesh, false, random);
   if (family == "borders") features = random_features(mesh, random.below(2) == 0, random);
-  return {std::move(mesh), triangles ? SubdivisionScheme::loop : SubdivisionScheme::catmull_clark,
-          std::move(features)};
+  return {std::move(mesh), triangles ? SubdivisionScheme::loop : SubdivisionScheme::catmull_clark, std::move(features)};
 }
 
 /// A coordinate is off by no more than the rounding of its level, a vector by less than twice as much.
@@ -87,8 +86,8 @@ bool stays_within_bounds(LevelMesh mesh, Index vertex) {
 bool is_within_mesh_bound(const SubdivisionCage& cage, const LevelMesh& later, Random& random) {
   const Aabb box = fit_aabb(cage.polygons().vertices);
   const double size = length(box.upper - box.lower);
-  const SubdividedMesh refined =
-      refine(cage, {.tolerance = std::max(random.between(0.05, 1) * size, least_tolerance(cage)), .max_triangles = 400});
+  const SubdividedMesh refined = refine(
+      cage, {.tolerance = std::max(random.between(0.05, 1) * size, least_tolerance(cage)), .max_triangles = 400});
   if (refined.deepest_level > later.level) return true;
   const Model model(refined.mesh);
   for (int i = 0; i < 12; ++i) {
@@ -102,8 +101,7 @@ std::string fault_of_bounds(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const SubdivisionCage cage = random_cage(family, random);
   LevelMesh mesh = first_level(cage);
-  if (mesh.face_count() < 40 && random.below(2) == 0)
-    mesh = subdivided(mesh, std::vector<char>(mesh.face_count(), 1));
+  if (mesh.face_count() < 40 && random.below(2) == 0) mesh = subdivided(mesh, std::vector<char>(mesh.face_count(), 1));
   if (!is_within_bounds(mesh)) return "a point that moves farther than the bound of its face";
   if (!stays_within_bounds(mesh, static_cast<Index>(random.below(mesh.points.size()))))
     return "a vertex whose limit is farther than the bound of its faces";
@@ -116,9 +114,14 @@ SweepResult run_bounds(const std::string& family, std::uint64_t seed, std::uint6
   return run_cases(family, seed, cases, [&](std::uint64_t case_seed) { return fault_of_bounds(family, case_seed); });
 }
 
-const bool bounds_known = register_sweep(
-    {"subdivision-bounds", {"smooth", "valences", "creases", "creases-that-end", "borders", "slivers", "scales"},
-     10'000, 20, run_bounds, 2'000, 4});
+const bool bounds_known =
+    register_sweep({"subdivision-bounds",
+                    {"smooth", "valences", "creases", "creases-that-end", "borders", "slivers", "scales"},
+                    10'000,
+                    20,
+                    run_bounds,
+                    2'000,
+                    4});
 
 }  // namespace
 }  // namespace toccata::test

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "query/subdivision/level_mesh.hpp"
 #include "query/osd_level.hpp"
+#include "query/subdivision/level_mesh.hpp"
 #include "query/subdivision_cages.hpp"
 #include "toccata/query/nearest.hpp"
 

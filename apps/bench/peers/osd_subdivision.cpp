@@ -1,5 +1,5 @@
-// OpenSubdiv refines everything alike and puts the points into the limit; how far the triangles between them are from it
-// is not told. Distances from them are Toccata's.
+// OpenSubdiv refines everything alike and puts the points into the limit; how far the triangles between them are from
+// it is not told. Distances from them are Toccata's.
 #include <opensubdiv/version.h>
 
 #include <optional>

@@ -133,8 +133,8 @@ struct SubdividedMesh {
 /// tolerance below `least_tolerance`.
 [[nodiscard]] SubdividedMesh refine(const SubdivisionCage& cage, const RefinementOptions& options = {});
 
-/// How a question about a limit surface and a model, or another limit surface, is asked. A surface is that of the cage's
-/// world vertices.
+/// How a question about a limit surface and a model, or another limit surface, is asked. A surface is that of the
+/// cage's world vertices.
 struct LimitQuery {
   /// Where each is, and what it is taken for. A closed cage may be a solid.
   PairQuery pair{};

@@ -131,21 +131,21 @@ struct SubdivideQuestion {
   SubdivisionScheme scheme = SubdivisionScheme::catmull_clark;
   /// The tolerance in world units; 0: a thousandth of the diagonal of the cage's box, of two objects a millionth.
   double within = 0;
-  int levels = 0;                                      ///< as in RefinementOptions
-  std::size_t max_triangles = std::size_t{1} << 22;    ///< likewise; of two objects LimitQuery::max_faces
-  CageFeatures features{};                             ///< of the first object, by the vertices of its mesh
-  std::optional<double> crease_angle = std::nullopt;   ///< edges that turn by more are creases; in degrees
-  bool both = false;                                   ///< the second object is a cage, too, of the same scheme
+  int levels = 0;                                     ///< as in RefinementOptions
+  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two objects LimitQuery::max_faces
+  CageFeatures features{};                            ///< of the first object, by the vertices of its mesh
+  std::optional<double> crease_angle = std::nullopt;  ///< edges that turn by more are creases; in degrees
+  bool both = false;                                  ///< the second object is a cage, too, of the same scheme
 
   friend bool operator==(const SubdivideQuestion&, const SubdivideQuestion&) = default;
 };
 
 struct SubdivideReport {
   SubdivideQuestion question;
-  std::string cage{};        ///< what the first object is called
-  double within = 0;         ///< the tolerance that was asked for, also where the question has none
-  std::size_t faces = 0;     ///< of the cage
-  bool closed = false;       ///< the cage
+  std::string cage{};                    ///< what the first object is called
+  double within = 0;                     ///< the tolerance that was asked for, also where the question has none
+  std::size_t faces = 0;                 ///< of the cage
+  bool closed = false;                   ///< the cage
   std::optional<SubdividedMesh> mesh{};  ///< of one object
   std::optional<LimitDistance> gap{};    ///< of two
 };

@@ -13,15 +13,12 @@ constexpr int deepest_useful_level = 60;
 class Selection {
  public:
   Selection(const LevelMesh& mesh, const std::vector<FaceBound>& bounds, const AllowedDistance& allowed)
-      : mesh_(mesh),
-        bounds_(bounds),
-        allowed_(allowed),
-        chosen_(mesh.face_count(), 0),
-        moved_(mesh.points.size()) {}
+      : mesh_(mesh), bounds_(bounds), allowed_(allowed), chosen_(mesh.face_count(), 0), moved_(mesh.points.size()) {}
 
   std::vector<char> chosen(bool take_all) {
     for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (mesh_.whole[f] && (take_all || bounds_[f].to_limit + bounds_[f].from_triangles > allowed_(mesh_, f))) choose(f);
+      if (mesh_.whole[f] && (take_all || bounds_[f].to_limit + bounds_[f].from_triangles > allowed_(mesh_, f)))
+        choose(f);
     while (!waiting_.empty()) {
       const Index vertex = waiting_.back();
       waiting_.pop_back();
@@ -77,8 +74,7 @@ AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOpti
   while (true) {
     LevelMesh& mesh = levels.meshes.back();
     levels.bounds.push_back(bounds_of_whole(mesh));
-    std::vector<char> chosen =
-        Selection(mesh, levels.bounds.back(), allowed).chosen(mesh.level < options.levels);
+    std::vector<char> chosen = Selection(mesh, levels.bounds.back(), allowed).chosen(mesh.level < options.levels);
     const std::size_t count = marked_count(chosen);
     const std::size_t later = leaves + marked_count(mesh.whole) + 3 * count;
     const bool is_too_much = later > options.max_triangles / triangles_of_face || mesh.level >= deepest_useful_level;

@@ -20,8 +20,8 @@ struct AdaptiveLevels {
 /// How far a face, flat or bilinear, may be from the limit surface of it.
 using AllowedDistance = std::function<double(const LevelMesh& mesh, Index face)>;
 
-/// Refines until every leaf has the levels and, with what a finer neighbour may move on its border, is as near the limit
-/// as is allowed. The tolerance of the options is not looked at.
+/// Refines until every leaf has the levels and, with what a finer neighbour may move on its border, is as near the
+/// limit as is allowed. The tolerance of the options is not looked at.
 [[nodiscard]] AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options,
                                              const AllowedDistance& allowed);
 

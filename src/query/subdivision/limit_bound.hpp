@@ -21,8 +21,7 @@ struct FaceBound {
 /// must be quadrangles.
 class LimitBounds {
  public:
-  explicit LimitBounds(const LevelMesh& mesh)
-      : mesh_(mesh), known_(mesh.points.size()), boxes_(mesh.points.size()) {}
+  explicit LimitBounds(const LevelMesh& mesh) : mesh_(mesh), known_(mesh.points.size()), boxes_(mesh.points.size()) {}
 
   [[nodiscard]] FaceBound of(Index face);
 

@@ -23,7 +23,8 @@ constexpr int deepest_around_vertex = 60;
 
 double gap_to_box(const Vec3& p, const Aabb& box) {
   Vec3 off;
-  for (int axis = 0; axis < 3; ++axis) off[axis] = std::max({0.0, box.lower[axis] - p[axis], p[axis] - box.upper[axis]});
+  for (int axis = 0; axis < 3; ++axis)
+    off[axis] = std::max({0.0, box.lower[axis] - p[axis], p[axis] - box.upper[axis]});
   return length(off);
 }
 
@@ -131,8 +132,8 @@ std::optional<bool> has_point_within(const SubdivisionCage& cage, std::span<cons
   std::vector<RoughPoint> open(points.begin(), points.end());
   std::erase_if(open, [&](const RoughPoint& p) { return gap_to_box(p.at, box) > 2 * p.radius; });
   if (open.empty()) return false;
-  const LeafMesh leaves = leaf_mesh(
-      adaptive_levels(cage, {.max_triangles = max_triangles}, [&](const LevelMesh& mesh, Index face) {
+  const LeafMesh leaves =
+      leaf_mesh(adaptive_levels(cage, {.max_triangles = max_triangles}, [&](const LevelMesh& mesh, Index face) {
         return share_of_gap * least_gap(mesh, face, open);
       }));
   if (!stays_clear(leaves, open)) return std::nullopt;

@@ -32,8 +32,7 @@ void CageSide::keep(const std::vector<double>& lowers, double upper) {
   const double rounding = worth_of_rounding * rounding_of_bounds(mesh);
   candidates.clear();
   for (Index face = 0; face < mesh.face_count(); ++face)
-    if (mesh.whole[face] && lowers[face] <= upper)
-      candidates.push_back({face, lowers[face], within[face] <= rounding});
+    if (mesh.whole[face] && lowers[face] <= upper) candidates.push_back({face, lowers[face], within[face] <= rounding});
 }
 
 double CageSide::least() const {

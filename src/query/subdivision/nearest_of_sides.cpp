@@ -111,8 +111,8 @@ void FacePairs::look_at_some() {
   look_at(a, b);
 }
 
-/// What is between their limits along the way from the middle of the one to that of the other, at least. Where faces are
-/// small and far apart, boxes tell much less.
+/// What is between their limits along the way from the middle of the one to that of the other, at least. Where faces
+/// are small and far apart, boxes tell much less.
 double FacePairs::gap_between(Index a, Index b) const {
   const CageSide &first = *sides_[0], &second = *sides_[1];
   const Vec3 way = point_for_face(second.mesh, b) - point_for_face(first.mesh, a);

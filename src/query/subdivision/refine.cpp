@@ -15,10 +15,11 @@ void check_refinement(const SubdivisionCage& cage, const RefinementOptions& opti
   if (options.levels < 0 || options.levels > 30) throw Error("the levels of a refinement must be 0 … 30");
   const double least = least_tolerance(cage);
   if (options.tolerance < least)
-    throw Error(fmt::format("the tolerance of a refinement is {:g}, but the rounding of coordinates as large as this "
-                            "cage's leaves {:.3g} open however often it is refined: ask for more, or move the cage "
-                            "near the origin",
-                            options.tolerance, least));
+    throw Error(
+        fmt::format("the tolerance of a refinement is {:g}, but the rounding of coordinates as large as this "
+                    "cage's leaves {:.3g} open however often it is refined: ask for more, or move the cage "
+                    "near the origin",
+                    options.tolerance, least));
 }
 
 }  // namespace

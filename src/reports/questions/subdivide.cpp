@@ -46,8 +46,7 @@ io::Json json_of_creases(const CageFeatures& features) {
 
 io::Json json_of_corners(const CageFeatures& features) {
   io::Json list = io::Json::array();
-  for (const CageCorner& corner : features.corners)
-    list.push_back({corner.vertex, finite_sharpness(corner.sharpness)});
+  for (const CageCorner& corner : features.corners) list.push_back({corner.vertex, finite_sharpness(corner.sharpness)});
   return list;
 }
 
@@ -92,8 +91,8 @@ CageFeatures renumbered(CageFeatures features, const std::vector<Index>& vertex_
 /// As it is in the world, so that lengths are those of the question.
 SubdivisionCage cage_of(const SceneInstance& posed, const SubdivideQuestion& question, const CageFeatures& own) {
   if (!posed.model.has_mesh())
-    throw Error(fmt::format("a {} is no cage: give a mesh, whose faces are those of the cage",
-                            name_of(posed.model.shape())));
+    throw Error(
+        fmt::format("a {} is no cage: give a mesh, whose faces are those of the cage", name_of(posed.model.shape())));
   CagePolygons cage = cage_polygons(posed.model.mesh());
   CageFeatures features = renumbered(own, cage.vertex_of);
   features.border = question.features.border;
@@ -171,8 +170,9 @@ struct SubdivideKind {
 
   static SubdivideReport ask(const SubdivideQuestion& question, const io::Asking& asking) {
     if (asking.models.empty() || asking.models.size() > 2)
-      throw Error(fmt::format("a cage is subdivided, or asked about together with one other object; here are {} objects",
-                              asking.models.size()));
+      throw Error(
+          fmt::format("a cage is subdivided, or asked about together with one other object; here are {} objects",
+                      asking.models.size()));
     const std::string& name = asking.models[0].name;
     const bool is_alone = asking.models.size() == 1;
     const SubdivisionCage cage =
