@@ -12,7 +12,6 @@
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
-#include "toccata/io/query_files.hpp"
 #include "words.hpp"
 
 namespace toccata::command {

@@ -9,7 +9,6 @@
 #include "toccata/motion/rigid_motion.hpp"
 #include "toccata/query/batch.hpp"
 #include "toccata/query/pair_query.hpp"
-#include "toccata/query/subdivision.hpp"
 
 namespace toccata {
 
@@ -28,11 +27,6 @@ namespace toccata {
 /// in the world. Numbers are the doubles nearest to the text, finite, and separated by blanks or commas; # starts a
 /// comment. Throws Error naming the file and the line, also for a ray without length and a file without a ray.
 [[nodiscard]] std::vector<RayQuery> read_rays(const std::string& path);
-
-/// Reads a creases file (docs/reference/subdivide-report.md): a line per feature of a cage, `crease A B` or `corner V`,
-/// the numbers of vertices counted from 0, and how sharp it is, where it is not sharp for ever; # starts a comment.
-/// Throws Error naming the file and the line, also for a file without a feature.
-[[nodiscard]] CageFeatures read_creases(const std::string& path);
 
 /// A pose as people write it (docs/reference/motion-file.md): 12 numbers, R row by row and then t; 3 numbers, a
 /// translation; or words with numbers: `translation=X,Y,Z` and one rotation, `axis=X,Y,Z degrees=D`,

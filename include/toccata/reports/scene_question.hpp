@@ -140,6 +140,11 @@ struct SubdivideQuestion {
   friend bool operator==(const SubdivideQuestion&, const SubdivideQuestion&) = default;
 };
 
+/// Reads a creases file (docs/reference/subdivide-report.md): a line per feature of a cage, `crease A B` or `corner V`,
+/// the numbers of vertices counted from 0, and how sharp it is, where it is not sharp for ever; # starts a comment.
+/// Throws Error naming the file and the line, also for a file without a feature.
+[[nodiscard]] CageFeatures read_creases(const std::string& path);
+
 struct SubdivideReport {
   SubdivideQuestion question;
   std::string cage{};                    ///< what the first object is called

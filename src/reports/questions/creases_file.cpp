@@ -4,7 +4,7 @@
 #include "core/no_index.hpp"
 #include "io/formats/file_error.hpp"
 #include "io/formats/number_lines.hpp"
-#include "toccata/io/query_files.hpp"
+#include "toccata/reports/scene_question.hpp"
 
 namespace toccata {
 namespace {
