@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/no_index.hpp"
+#include "io/formats/utf8.hpp"
 #include "reports/questions/asked_of.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
