@@ -199,6 +199,19 @@ struct ProcessArguments {
   bool json = false;
 };
 
+struct SubdivisionArguments {
+  std::string cage = "torus";
+  std::string scheme = "catmull-clark";
+  std::string task = "distance";  ///< or mesh
+  double within = 1e-3;           ///< of the cage's diagonal, about
+  std::size_t count = 20;         ///< poses of the other
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  std::string clock = "wall";
+  bool json = false;
+};
+
 struct SumsArguments {
   std::string task = "sum";
   std::size_t vertices = 32;
@@ -266,6 +279,7 @@ int run_mover(const MoverArguments& arguments);
 int run_proximity(const ProximityArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);
+int run_subdivision(const SubdivisionArguments& arguments);
 int run_motion(const MotionArguments& arguments);
 int run_sweeps(const MotionArguments& arguments);
 int run_swept_volumes(const MotionArguments& arguments);

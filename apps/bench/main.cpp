@@ -10,6 +10,7 @@
 #include "library.hpp"
 #include "movers.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "subdivisions.hpp"
 #include "sums.hpp"
 #include "sweeps.hpp"
 #include "toccata/broad/broad_phase.hpp"
@@ -41,6 +42,7 @@ struct Options {
   PartitionsArguments partitions;
   ProcessArguments process;
   SumsArguments sums;
+  SubdivisionArguments subdivision;
   MotionArguments motion;
   DeformingArguments deforming;
   WalkerArguments walker;
@@ -435,6 +437,33 @@ void add_sums(CLI::App& app, SumsArguments& arguments) {
   sums->footer("Example:\n  ./toccata bench sums --task point --count 20000 --peer cgal");
 }
 
+void add_subdivision(CLI::App& app, SubdivisionArguments& arguments) {
+  CLI::App* subdivision = app.add_subcommand("subdivision", "limit surfaces of cages: meshes of them, and distances");
+  subdivision->add_option("--task", arguments.task, "mesh: within a bound; distance: from boxes, to that width")
+      ->check(CLI::IsMember({"mesh", "distance"}))
+      ->capture_default_str();
+  subdivision->add_option("--cage", arguments.cage, "torus: regular; bipyramid: with two vertices of valence 12")
+      ->check(CLI::IsMember({"torus", "bipyramid"}))
+      ->capture_default_str();
+  subdivision->add_option("--scheme", arguments.scheme, "how it is refined")
+      ->check(CLI::IsMember({"loop", "catmull-clark"}))
+      ->capture_default_str();
+  subdivision->add_option("--within", arguments.within, "the bound; both cages are about 1 and 3 across")
+      ->check(positive())
+      ->capture_default_str();
+  add_number(*subdivision, "--count", arguments.count, "distances");
+  subdivision->add_option("--clock", arguments.clock, "wall, or thread: the processor's time, on a busy machine")
+      ->check(CLI::IsMember({"wall", "thread"}))
+      ->capture_default_str();
+  add_peers(*subdivision, arguments.peers, limit_peers());
+  subdivision->add_option("--seed", arguments.seed, "another seed, other poses")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_number(*subdivision, "--rounds", arguments.rounds, "how often each is asked; the fastest counts");
+  add_json(*subdivision, arguments.json);
+  subdivision->footer("Example:\n  ./toccata bench subdivision --task distance --within 1e-4 --peer osd");
+}
+
 void add_motion(CLI::App& app, MotionArguments& arguments) {
   CLI::App* motion =
       app.add_subcommand("motion", "when what moves first meets: features of meshes, bodies that turn, meshes");
@@ -525,6 +554,7 @@ int main_of(int argc, char** argv) {
   add_partitions(app, options.partitions);
   add_process(app, options.process);
   add_sums(app, options.sums);
+  add_subdivision(app, options.subdivision);
   add_motion(app, options.motion);
   add_deforming(app, options.deforming);
   add_walker(app, options.walker);
@@ -554,6 +584,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("mover")) return run_mover(options.mover);
   if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
+  if (app.got_subcommand("subdivision")) return run_subdivision(options.subdivision);
   if (app.got_subcommand("motion")) return run_motion_task(options.motion);
   if (app.got_subcommand("deforming")) return run_deforming(options.deforming);
   if (app.got_subcommand("walker")) return run_walker(options.walker);

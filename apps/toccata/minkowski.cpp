@@ -1,26 +1,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "load.hpp"
+#include "mesh_output.hpp"
 #include "option_kinds.hpp"
-#include "output.hpp"
 #include "subcommands.hpp"
-#include "toccata/core/error.hpp"
-#include "toccata/io/model_file.hpp"
-#include "toccata/query/check_all.hpp"
-#include "toccata/reports/output_file.hpp"
-#include "toccata/reports/pages.hpp"
-#include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -61,51 +52,8 @@ std::string point_line(const MinkowskiSum& sum, const Vec3& point) {
                      side == Sign::zero ? "lies on the boundary" : fmt::format("lies {}", name_of_side(side)));
 }
 
-bool is_glb(const std::string& file) { return file.ends_with(".glb"); }
-
-/// Before anything is computed.
-void require_mesh_format(const std::string& file) {
-  constexpr std::array formats{".obj", ".off", ".ply", ".stl"};
-  if (file.empty()) return;
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (std::find(formats.begin(), formats.end(), extension) == formats.end())
-    throw Error(printable(file) +
-                ": the extension names no format that is written (use .obj, .off, .ply, .stl or .glb)");
-}
-
-void require_files(const MinkowskiArguments& arguments) {
-  require_view(arguments);
-  require_distinct({{"-o", arguments.mesh},
-                    {"--html", arguments.html},
-                    {"--png", arguments.png},
-                    {"--glb", arguments.glb},
-                    {"--save-case", arguments.save_case}},
-                   arguments.input.files);
-  if (is_glb(arguments.mesh)) return require_output(arguments.mesh, OutputKind::glb);
-  require_mesh_format(arguments.mesh);
-  // Mesh files have no mark by which one of Toccata's could be told from somebody's work.
-  std::error_code none;
-  if (!arguments.mesh.empty() && std::filesystem::file_size(arguments.mesh, none) > 0 && !none)
-    throw Error(printable(arguments.mesh) + ": the file exists: choose another name, or delete it");
-}
-
-/// The result alone.
-std::string glb_of(const MinkowskiReport& report, const std::string& unit) {
-  Scene scene;
-  scene.unit = unit;
-  scene.objects.push_back(sum_object(report));
-  return scene_glb(scene, scene_models(scene, 1), CheckReport{});
-}
-
-std::string written_mesh(const MinkowskiReport& report, const std::string& unit, const std::string& file) {
-  const std::string glb = is_glb(file) ? glb_of(report, unit) : "";
-  const UninterruptedWriting writing;
-  if (is_glb(file))
-    write_glb(glb, file);
-  else
-    write_mesh(report.sum.as_mesh(), file);
+std::string written_sum(const MinkowskiReport& report, const std::string& unit, const std::string& file) {
+  write_mesh_output({[&] { return report.sum.as_mesh(); }, [&] { return sum_object(report); }}, unit, file);
   const double radius = is_glb(file) ? 0 : report.sum.radius();
   return fmt::format("{}: {} with {}{}.\n", printable(file), name_of(report.question),
                      counted(report.sum.topology().face_count(), "face"),
@@ -113,11 +61,11 @@ std::string written_mesh(const MinkowskiReport& report, const std::string& unit,
 }
 
 int run_minkowski(const MinkowskiArguments& arguments) {
-  require_files(arguments);
+  require_mesh_output(arguments, arguments.mesh);
   const AlsoWritten mesh = [&](const CheckInput& input, const SceneAnswer& answer) {
     const auto* report = std::get_if<MinkowskiReport>(&answer);
     if (arguments.mesh.empty() || report == nullptr) return std::string();
-    return written_mesh(*report, input.loaded.scene.unit, arguments.mesh);
+    return written_sum(*report, input.loaded.scene.unit, arguments.mesh);
   };
   const bool asks_itself = changes_objects(arguments) || arguments.question != MinkowskiQuestion{};
   if (const auto code = answered_case(arguments, {"minkowski", asks_itself}, mesh)) return *code;

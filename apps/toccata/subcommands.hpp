@@ -30,6 +30,7 @@ Subcommand add_cost(CLI::App& app);
 Subcommand add_plot(CLI::App& app);
 Subcommand add_nearest(CLI::App& app);
 Subcommand add_minkowski(CLI::App& app);
+Subcommand add_subdivide(CLI::App& app);
 Subcommand add_replay(CLI::App& app);
 Subcommand add_pairs(CLI::App& app);
 Subcommand add_inspect(CLI::App& app);
@@ -39,9 +40,10 @@ Subcommand add_crowd(CLI::App& app);
 Subcommand add_demo(CLI::App& app);
 
 /// As --help lists them.
-inline constexpr std::array all_subcommands = {
-    add_check,     add_view,   add_distance, add_ray,     add_sweep, add_faces,     add_cost,  add_plot, add_nearest,
-    add_minkowski, add_replay, add_pairs,    add_inspect, add_tree,  add_decompose, add_crowd, add_demo};
+inline constexpr std::array all_subcommands = {add_check,     add_view,   add_distance, add_ray,     add_sweep,
+                                               add_faces,     add_cost,   add_plot,     add_nearest, add_minkowski,
+                                               add_subdivide, add_replay, add_pairs,    add_inspect, add_tree,
+                                               add_decompose, add_crowd,  add_demo};
 
 /// What people read of an answer.
 std::string table_of(const CheckInput& input, const CheckReport& report);
@@ -60,6 +62,7 @@ std::string table_of(const CheckInput& input, const CrowdReport& report);
 std::string table_of(const CheckInput& input, const CrowdWorldReport& report);
 std::string table_of(const CheckInput& input, const DecomposeReport& report);
 std::string table_of(const CheckInput& input, const MinkowskiReport& report);
+std::string table_of(const CheckInput& input, const SubdivideReport& report);
 
 /// An answer in a word.
 struct Summary {
@@ -83,5 +86,6 @@ Summary summary_of(const CrowdReport& report);
 Summary summary_of(const CrowdWorldReport& report);
 Summary summary_of(const DecomposeReport& report);
 Summary summary_of(const MinkowskiReport& report);
+Summary summary_of(const SubdivideReport& report);
 
 }  // namespace toccata::command

@@ -29,12 +29,16 @@ struct CageCrease {
   Index first = 0;
   Index second = 0;
   double sharpness = std::numeric_limits<double>::infinity();
+
+  friend constexpr bool operator==(const CageCrease&, const CageCrease&) = default;
 };
 
 /// A vertex of the cage that is to stay where it is, likewise.
 struct CageCorner {
   Index vertex = 0;
   double sharpness = std::numeric_limits<double>::infinity();
+
+  friend constexpr bool operator==(const CageCorner&, const CageCorner&) = default;
 };
 
 /// What is as sharp as this is so at every level.
@@ -50,7 +54,25 @@ struct CageFeatures {
   std::vector<CageCrease> creases{};
   std::vector<CageCorner> corners{};
   CageBorder border = CageBorder::smooth;
+
+  friend bool operator==(const CageFeatures&, const CageFeatures&) = default;
 };
+
+/// The faces of a mesh as a cage has them.
+struct CagePolygons {
+  PolygonMesh polygons;
+  /// Of each vertex of the mesh; the greatest Index of one that no triangle uses, which a cage has not.
+  std::vector<Index> vertex_of;
+};
+
+/// The polygons that were cut into the mesh's triangles, as they are in the file, beginning at another corner perhaps.
+/// Vertices of equal coordinates become one, as in STL files each triangle has its own. Throws Error naming a face that
+/// is no polygon without holes.
+[[nodiscard]] CagePolygons cage_polygons(const TriangleMesh& mesh);
+
+/// The edges whose two faces turn by more than the angle, in degrees, sharp for ever: 0 … 180. Throws Error as
+/// SubdivisionCage does, and for another angle.
+[[nodiscard]] std::vector<CageCrease> creases_by_angle(const PolygonMesh& polygons, double degrees);
 
 /// A control cage, which stands for its limit surface.
 class SubdivisionCage {
@@ -101,12 +123,18 @@ struct SubdividedMesh {
   Status status = Status::exact;
 };
 
+/// No mesh of the cage is ever proved to be nearer its limit than this, because of rounding: some 10⁻¹⁴ times its
+/// largest coordinate. In units of the cage.
+[[nodiscard]] double least_tolerance(const SubdivisionCage& cage);
+
 /// Refines a cage, and where the bound is above the tolerance further: near extraordinary vertices and strong
 /// curvature. The bound comes from second differences of the control points and from how fast they fall
-/// (docs/methods/subdivision-surfaces.md has the proof). Throws Error when an option is out of range.
+/// (docs/methods/subdivision-surfaces.md has the proof). Throws Error when an option is out of range or the
+/// tolerance below `least_tolerance`.
 [[nodiscard]] SubdividedMesh refine(const SubdivisionCage& cage, const RefinementOptions& options = {});
 
-/// How a question about a limit surface and a model is asked. The surface is that of the cage's world vertices.
+/// How a question about a limit surface and a model, or another limit surface, is asked. A surface is that of the
+/// cage's world vertices.
 struct LimitQuery {
   /// Where each is, and what it is taken for. A closed cage may be a solid.
   PairQuery pair{};
@@ -116,18 +144,18 @@ struct LimitQuery {
   std::size_t max_faces = std::size_t{1} << 20;  ///< of one level, near the other; the search ends before it has more
 };
 
-/// The distance of a limit surface from a model.
+/// The distance of a limit surface from a model or another limit surface.
 struct LimitDistance {
   /// Proved: the distance of the limit surface, not of a mesh, lies in [lower, upper].
   double lower = 0;
   double upper = 0;
-  /// On the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on the model. Without
-  /// meaning where one lies within the other as a solid.
+  /// On the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on the model or the mesh
+  /// in place of the other. Without meaning where one lies within the other as a solid.
   Vec3 on_mesh{};
   Vec3 on_model{};
   double distance_to_limit = 0;
   Index cage_face = 0;
-  Index element = 0;  ///< of the model
+  Index element = 0;  ///< of the model, or the face of the other cage
   int level = 0;      ///< how often the cage was refined there
   /// not_converged: the interval is wider than the tolerance, because `max_faces` ended the search.
   Status status = Status::exact;
@@ -139,7 +167,10 @@ struct LimitDistance {
 /// open.
 [[nodiscard]] LimitDistance distance(const SubdivisionCage& surface, const Model& model, const LimitQuery& query = {});
 
-/// Whether a limit surface and a model have a point in common.
+/// The same of two limit surfaces, both of which are refined only where they may be nearest.
+[[nodiscard]] LimitDistance distance(const SubdivisionCage& a, const SubdivisionCage& b, const LimitQuery& query = {});
+
+/// Whether a limit surface and a model or another limit surface have a point in common.
 struct LimitOverlap {
   bool overlap = false;  ///< also where it is undecided
   /// exact: proved, a no always, a yes where some of the surface lies deep enough within a solid or the other way
@@ -152,5 +183,6 @@ struct LimitOverlap {
 
 /// Only where they may meet the surface is refined. Throws Error as `distance` does.
 [[nodiscard]] LimitOverlap overlap(const SubdivisionCage& surface, const Model& model, const LimitQuery& query = {});
+[[nodiscard]] LimitOverlap overlap(const SubdivisionCage& a, const SubdivisionCage& b, const LimitQuery& query = {});
 
 }  // namespace toccata

@@ -12,6 +12,7 @@
 #include "toccata/core/parallel.hpp"
 #include "toccata/core/type_list.hpp"
 #include "toccata/motion/rigid_motion.hpp"
+#include "toccata/query/subdivision.hpp"
 #include "toccata/reports/crowd_report.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -123,6 +124,40 @@ struct SweepReport {
 /// How an object of a scene moves whose pose is `pose`, when it is part of the body that moves.
 [[nodiscard]] RigidMotion motion_of(const SweepQuestion& question, const Pose& pose);
 
+/// The mesh that stands for the limit surface of a cage, the only object; or how far the limit surface of the first of
+/// two objects is from the second: `subdivide`. A cage is the polygons of a mesh (`cage_polygons`).
+struct SubdivideQuestion {
+  static const io::QuestionKind kind;
+  SubdivisionScheme scheme = SubdivisionScheme::catmull_clark;
+  /// The tolerance in world units; 0: a thousandth of the diagonal of the cage's box, of two objects a millionth.
+  double within = 0;
+  int levels = 0;                                     ///< as in RefinementOptions
+  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two objects LimitQuery::max_faces
+  CageFeatures features{};                            ///< of the first object, by the vertices of its mesh
+  std::optional<double> crease_angle = std::nullopt;  ///< edges that turn by more are creases; in degrees
+  bool both = false;                                  ///< the second object is a cage, too, of the same scheme
+
+  friend bool operator==(const SubdivideQuestion&, const SubdivideQuestion&) = default;
+};
+
+/// Reads a creases file (docs/reference/subdivide-report.md): a line per feature of a cage, `crease A B` or `corner V`,
+/// the numbers of vertices counted from 0, and how sharp it is, where it is not sharp for ever; # starts a comment.
+/// Throws Error naming the file and the line, also for a file without a feature.
+[[nodiscard]] CageFeatures read_creases(const std::string& path);
+
+struct SubdivideReport {
+  SubdivideQuestion question;
+  std::string cage{};                    ///< what the first object is called
+  double within = 0;                     ///< the tolerance that was asked for, also where the question has none
+  std::size_t faces = 0;                 ///< of the cage
+  bool closed = false;                   ///< the cage
+  std::optional<SubdividedMesh> mesh{};  ///< of one object
+  std::optional<LimitDistance> gap{};    ///< of two
+};
+
+/// The mesh in the world, as an object of its own; there must be one.
+[[nodiscard]] SceneObject limit_object(const SubdivideReport& report);
+
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
 };
@@ -164,7 +199,8 @@ using SceneQuestions =
              QuestionAndReport<CostQuestion, CostReport>, QuestionAndReport<CrowdQuestion, CrowdReport>,
              QuestionAndReport<DecomposeQuestion, DecomposeReport>,
              QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
-             QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>>;
+             QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>,
+             QuestionAndReport<SubdivideQuestion, SubdivideReport>>;
 
 template <class... Listed>
 using QuestionVariant = std::variant<typename Listed::Question...>;
@@ -193,7 +229,8 @@ struct AskOptions {
                               const AskOptions& options = {});
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
-/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep".
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep",
+/// "subdivide".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.
@@ -201,7 +238,7 @@ struct AskOptions {
                                       const SceneAnswer& answer, std::span<const std::string> warnings = {});
 
 /// The same as comma-separated values with a header line. Throws Error for answers that have no such form: those to
-/// `inspect`, `decompose` and `minkowski`, and of crowds.
+/// `inspect`, `decompose`, `minkowski` and `subdivide`, and of crowds.
 [[nodiscard]] std::string report_csv(const Scene& scene, const SceneAnswer& answer);
 
 }  // namespace toccata

@@ -12,23 +12,20 @@ constexpr int deepest_useful_level = 60;
 /// The choice of the faces of one level that are refined.
 class Selection {
  public:
-  Selection(const LevelMesh& mesh, const std::vector<FaceBound>& bounds, double tolerance)
-      : mesh_(mesh),
-        bounds_(bounds),
-        tolerance_(tolerance),
-        chosen_(mesh.face_count(), 0),
-        moved_(mesh.points.size()) {}
+  Selection(const LevelMesh& mesh, const std::vector<FaceBound>& bounds, const AllowedDistance& allowed)
+      : mesh_(mesh), bounds_(bounds), allowed_(allowed), chosen_(mesh.face_count(), 0), moved_(mesh.points.size()) {}
 
   std::vector<char> chosen(bool take_all) {
     for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (mesh_.whole[f] && (take_all || bounds_[f].to_limit + bounds_[f].from_triangles > tolerance_)) choose(f);
+      if (mesh_.whole[f] && (take_all || bounds_[f].to_limit + bounds_[f].from_triangles > allowed_(mesh_, f)))
+        choose(f);
     while (!waiting_.empty()) {
       const Index vertex = waiting_.back();
       waiting_.pop_back();
       for (const Index side : mesh_.sides_at(vertex)) {
         const Index f = mesh_.face_of_side[side];
         // A neighbour that is refined moves points of the border, by no more than the face's own bound.
-        if (mesh_.whole[f] && 2 * bounds_[f].to_limit + bounds_[f].from_triangles > tolerance_) choose(f);
+        if (mesh_.whole[f] && 2 * bounds_[f].to_limit + bounds_[f].from_triangles > allowed_(mesh_, f)) choose(f);
       }
     }
     return std::move(chosen_);
@@ -47,7 +44,7 @@ class Selection {
 
   const LevelMesh& mesh_;
   const std::vector<FaceBound>& bounds_;
-  double tolerance_;
+  const AllowedDistance& allowed_;
   std::vector<char> chosen_;
   std::vector<char> moved_;
   std::vector<Index> waiting_;
@@ -67,7 +64,8 @@ std::size_t marked_count(const std::vector<char>& marks) {
 
 }  // namespace
 
-AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options) {
+AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options,
+                               const AllowedDistance& allowed) {
   // A quadrangle is two triangles, and a leaf beside finer ones a fan: at most four times as many, which is rare.
   const std::size_t triangles_of_face = cage.scheme() == SubdivisionScheme::loop ? 1 : 2;
   AdaptiveLevels levels;
@@ -76,8 +74,7 @@ AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOpti
   while (true) {
     LevelMesh& mesh = levels.meshes.back();
     levels.bounds.push_back(bounds_of_whole(mesh));
-    std::vector<char> chosen =
-        Selection(mesh, levels.bounds.back(), options.tolerance).chosen(mesh.level < options.levels);
+    std::vector<char> chosen = Selection(mesh, levels.bounds.back(), allowed).chosen(mesh.level < options.levels);
     const std::size_t count = marked_count(chosen);
     const std::size_t later = leaves + marked_count(mesh.whole) + 3 * count;
     const bool is_too_much = later > options.max_triangles / triangles_of_face || mesh.level >= deepest_useful_level;

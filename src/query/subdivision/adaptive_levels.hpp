@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "query/subdivision/level_mesh.hpp"
@@ -16,7 +17,12 @@ struct AdaptiveLevels {
   bool are_complete = true;                    ///< tolerance and levels were reached
 };
 
-/// Refines until every leaf has the levels and, with what a finer neighbour may move on its border, the tolerance.
-[[nodiscard]] AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options);
+/// How far a face, flat or bilinear, may be from the limit surface of it.
+using AllowedDistance = std::function<double(const LevelMesh& mesh, Index face)>;
+
+/// Refines until every leaf has the levels and, with what a finer neighbour may move on its border, is as near the
+/// limit as is allowed. The tolerance of the options is not looked at.
+[[nodiscard]] AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOptions& options,
+                                             const AllowedDistance& allowed);
 
 }  // namespace toccata

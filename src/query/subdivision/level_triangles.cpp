@@ -14,6 +14,8 @@ constexpr double border_roundings = 32;
 
 constexpr double up_by_distances = 1 + 0x1p-48;
 
+double border_slack(const LevelMesh& mesh) { return border_roundings * unit_roundoff * mesh.largest_coordinate; }
+
 }  // namespace
 
 LevelTriangles::LevelTriangles(const AdaptiveLevels& levels) : levels_(levels) {
@@ -88,11 +90,30 @@ void LevelTriangles::add_leaf(std::size_t level, Index face) {
   double moved = 0;
   for (const BorderPoint& b : border_) moved = std::max(moved, length(points_[b.point] - b.own));
   const FaceBound& bound = levels_.bounds[level][face];
-  const double slack = border_roundings * unit_roundoff * mesh.largest_coordinate;
+  const double slack = border_slack(mesh);
   const double distance = up_by_distances * (bound.to_limit + bound.from_triangles + moved + slack);
   if (border_.size() > mesh.corner_count(face)) return add_fan(level, face, distance);
   if (border_.size() == 4) return add_quadrangle(mesh.cage_face[face], distance);
   triangles_.push_back({{border_[0].point, border_[1].point, border_[2].point}, mesh.cage_face[face], distance});
 }
+
+LeafMesh leaf_mesh(const AdaptiveLevels& levels) {
+  LevelTriangles leaves(levels);
+  std::vector<Vec3> points = std::move(leaves).points();
+  std::vector<LimitTriangle> triangles = std::move(leaves).triangles();
+  std::stable_sort(triangles.begin(), triangles.end(),
+                   [](const LimitTriangle& a, const LimitTriangle& b) { return a.cage_face < b.cage_face; });
+  std::vector<std::array<Index, 3>> corners;
+  std::vector<Index> faces;
+  std::vector<double> distances;
+  for (const LimitTriangle& triangle : triangles) {
+    corners.push_back(triangle.corners);
+    faces.push_back(triangle.cage_face);
+    distances.push_back(triangle.distance);
+  }
+  return {TriangleMesh(std::move(points), std::move(corners), std::move(faces)), std::move(distances)};
+}
+
+double rounding_of_triangles(const LevelMesh& mesh) { return rounding_of_bounds(mesh) + border_slack(mesh); }
 
 }  // namespace toccata

@@ -48,4 +48,14 @@ class LevelTriangles {
   std::vector<LimitTriangle> triangles_;
 };
 
+/// The leaves as a mesh, faces in the order of the cage's.
+struct LeafMesh {
+  TriangleMesh mesh;
+  std::vector<double> triangle_distances;
+};
+[[nodiscard]] LeafMesh leaf_mesh(const AdaptiveLevels& levels);
+
+/// What rounding alone contributes to the distance of every triangle of a level and of all later ones.
+[[nodiscard]] double rounding_of_triangles(const LevelMesh& mesh);
+
 }  // namespace toccata

@@ -103,14 +103,26 @@ const LimitBounds::Surroundings& LimitBounds::around(Index vertex) {
   return known_[vertex];
 }
 
-/// Both the limit and the face lie in the hull of the corners of all faces that touch it.
-double LimitBounds::by_hull(Index face) const {
+const Aabb& LimitBounds::box_around(Index vertex) {
+  Aabb& box = boxes_[vertex];
+  if (!is_empty(box)) return box;
+  for (const Index side : mesh_.sides_at(vertex))
+    for (const Index corner : mesh_.face(mesh_.face_of_side[side])) box = merge(box, mesh_.points[corner]);
+  return box;
+}
+
+/// Both the limit and the face lie in the hull of the corners of all faces that touch it. Its box is known from what
+/// each corner of the face has around it, so a vertex of many faces is not looked at by each of them anew.
+double LimitBounds::by_hull(Index face) {
+  Aabb box;
+  for (const Index corner : mesh_.face(face)) box = merge(box, box_around(corner));
   double farthest = 0;
-  for (const Index corner : mesh_.face(face))
-    for (const Index side : mesh_.sides_at(corner))
-      for (const Index other : mesh_.face(mesh_.face_of_side[side]))
-        for (const Index own : mesh_.face(face))
-          farthest = std::max(farthest, length(mesh_.points[other] - mesh_.points[own]));
+  for (const Index own : mesh_.face(face)) {
+    const Vec3& p = mesh_.points[own];
+    Vec3 off;
+    for (int axis = 0; axis < 3; ++axis) off[axis] = std::max(p[axis] - box.lower[axis], box.upper[axis] - p[axis]);
+    farthest = std::max(farthest, length(off));
+  }
   return farthest + difference_slack(mesh_);
 }
 
@@ -135,11 +147,13 @@ FaceBound LimitBounds::of(Index face) {
   FaceBound bound{.to_limit = infinity};
   if (found.is_settled) bound.to_limit = moved_by_all_levels(found.growth, found.differences);
   if (!found.is_regular) bound.to_limit = std::min(bound.to_limit, by_hull(face));
-  // A vector is less than twice as long as its largest coordinate.
-  bound.to_limit = bound.to_limit * up_by_lengths + 2 * mesh_.rounding;
+  bound.to_limit = bound.to_limit * up_by_lengths + rounding_of_bounds(mesh_);
   if (mesh_.scheme == SubdivisionScheme::catmull_clark)
     bound.from_triangles = up_by_lengths * (face_twist(mesh_, face) + difference_slack(mesh_)) / 4;
   return bound;
 }
+
+/// A vector is less than twice as long as its largest coordinate.
+double rounding_of_bounds(const LevelMesh& mesh) { return 2 * mesh.rounding; }
 
 }  // namespace toccata

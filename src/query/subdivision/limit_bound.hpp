@@ -4,6 +4,7 @@
 
 #include "query/subdivision/difference_growth.hpp"
 #include "query/subdivision/level_mesh.hpp"
+#include "toccata/bounds/aabb.hpp"
 
 namespace toccata {
 
@@ -20,7 +21,7 @@ struct FaceBound {
 /// must be quadrangles.
 class LimitBounds {
  public:
-  explicit LimitBounds(const LevelMesh& mesh) : mesh_(mesh), known_(mesh.points.size()) {}
+  explicit LimitBounds(const LevelMesh& mesh) : mesh_(mesh), known_(mesh.points.size()), boxes_(mesh.points.size()) {}
 
   [[nodiscard]] FaceBound of(Index face);
 
@@ -47,11 +48,16 @@ class LimitBounds {
   [[nodiscard]] Surroundings looked_at(Index vertex);
   void measure_spoke(Index vertex, Index edge, VertexRule rule, Surroundings& found) const;
   [[nodiscard]] double across(Index vertex, const LevelEdge& edge) const;
-  [[nodiscard]] double by_hull(Index face) const;
+  [[nodiscard]] double by_hull(Index face);
+  const Aabb& box_around(Index vertex);
 
   const LevelMesh& mesh_;
   std::vector<Surroundings> known_;
+  std::vector<Aabb> boxes_;  ///< of all corners of the faces at a vertex; empty until somebody asks
   Spokes spokes_;
 };
+
+/// What rounding alone contributes to the bound of every face of the level; refining makes it no smaller.
+[[nodiscard]] double rounding_of_bounds(const LevelMesh& mesh);
 
 }  // namespace toccata

@@ -1,7 +1,5 @@
 #include "query/subdivision/limit_search.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "math/constants.hpp"
@@ -14,66 +12,98 @@ namespace {
 /// Deeper than this doubles do not resolve what is near a point.
 constexpr int deepest_searched_level = 60;
 
-/// More than the rounding of a sum of two.
-constexpr double up_by_sum = 1 + 0x1p-50;
+/// A bound that is no more than so many times what rounding contributes is not worth another level, which adds to that.
+constexpr double worth_of_rounding = 4;
 
-double sum_up(double a, double b) { return (a + b) * up_by_sum; }
-
-/// At most a − b, and not below 0.
-double difference_down(double a, double b) { return std::max(0.0, a - b * up_by_sum - a * 0x1p-50); }
+std::vector<double> bounds_of_faces(const LevelMesh& mesh) {
+  LimitBounds bounds(mesh);
+  std::vector<double> within(mesh.face_count(), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    if (!mesh.whole[f]) continue;
+    const FaceBound bound = bounds.of(f);
+    within[f] = sum_up(bound.to_limit, bound.from_triangles);
+  }
+  return within;
+}
 
 }  // namespace
 
+void CageSide::keep(const std::vector<double>& lowers, double upper) {
+  const double rounding = worth_of_rounding * rounding_of_bounds(mesh);
+  candidates.clear();
+  for (Index face = 0; face < mesh.face_count(); ++face)
+    if (mesh.whole[face] && lowers[face] <= upper) candidates.push_back({face, lowers[face], within[face] <= rounding});
+}
+
+double CageSide::least() const {
+  double least = infinity;
+  for (const Candidate& candidate : candidates) least = std::min(least, candidate.lower);
+  return least;
+}
+
+std::vector<Triangle> CageSide::triangles_of(Index face) const {
+  const std::span<const Index> c = mesh.face(face);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 2; i < c.size(); ++i)
+    triangles.push_back({{mesh.points[c[0]], mesh.points[c[i - 1]], mesh.points[c[i]]}});
+  return triangles;
+}
+
 LimitSearch::LimitSearch(const SubdivisionCage& cage, const Model& model, const LimitQuery& query, LimitGoal goal)
-    : model_(model), query_(query), goal_(goal), mesh_(first_level(cage)) {
+    : query_(query), goal_(goal), model_(model) {
   query_.pair.pose_a = {};
   query_.pair.solid_a = Solid::automatic;
   is_solid_ = taken_as_solid(model, query.pair.solid_b);
+  sides_.emplace_back(cage);
+}
+
+LimitSearch::LimitSearch(const SubdivisionCage& cage, const SubdivisionCage& other, const LimitQuery& query,
+                         LimitGoal goal)
+    : query_(query), goal_(goal) {
+  sides_.emplace_back(cage);
+  sides_.emplace_back(other);
 }
 
 LimitFinding LimitSearch::found() {
-  while (true) {
+  do {
     look_at_level();
-    finding_.level = mesh_.level;
-    if (is_enough()) break;
-    const std::vector<char> open = open_faces();
-    const auto count = static_cast<std::size_t>(std::count(open.begin(), open.end(), 1));
-    if (count == 0) break;
-    finding_.is_exhausted = count > query_.max_faces / 4 || mesh_.level >= deepest_searched_level;
-    if (finding_.is_exhausted) break;
-    mesh_ = subdivided(mesh_, open);
-  }
-  finding_.lower = std::min(settled_, finding_.best.upper);
-  for (const Candidate& candidate : candidates_) finding_.lower = std::min(finding_.lower, candidate.lower);
+    finding_.level = sides_[0].mesh.level;
+  } while (!is_enough() && refine_open_faces());
+  // Every pair of faces that is left has one of each side, so each side alone has a bound of them all.
+  double left = 0;
+  for (const CageSide& side : sides_) left = std::max(left, side.least());
+  finding_.lower = std::min({settled_, finding_.best.upper, left});
   return finding_;
 }
 
 void LimitSearch::look_at_level() {
-  LimitBounds bounds(mesh_);
-  candidates_.clear();
-  for (Index face = 0; face < mesh_.face_count(); ++face) {
-    if (!mesh_.whole[face]) continue;
-    const FaceBound bound = bounds.of(face);
-    const double lower = looked_at(face, sum_up(bound.to_limit, bound.from_triangles));
-    if (lower <= finding_.best.upper) candidates_.push_back({face, lower});
-    if (finding_.is_proved_contact) return;
+  for (CageSide& side : sides_) side.within = bounds_of_faces(side.mesh);
+  if (model_) return look_at_model();
+  look_at_both();
+}
+
+void LimitSearch::look_at_model() {
+  CageSide& side = sides_[0];
+  std::vector<double> lowers(side.mesh.face_count(), infinity);
+  for (Index face = 0; face < side.mesh.face_count() && !finding_.is_proved_contact; ++face) {
+    if (!side.mesh.whole[face]) continue;
+    for (const Triangle& triangle : side.triangles_of(face))
+      lowers[face] = std::min(lowers[face], looked_at(triangle, face));
   }
+  side.keep(lowers, finding_.best.upper);
+}
+
+void LimitSearch::look_at_both() {
+  const PairOfSides found = nearest_of_sides(sides_[0], sides_[1], finding_.best);
+  finding_.best = found.best;
+  for (std::size_t i = 0; i < 2; ++i) sides_[i].keep(found.lowers[i], found.best.upper);
 }
 
 /// The least distance that the limit of the face may have; infinite where it cannot be the nearest.
-double LimitSearch::looked_at(Index face, double within) {
-  const std::span<const Index> c = mesh_.face(face);
-  const auto triangle = [&](std::size_t i, std::size_t j) {
-    return Triangle{{mesh_.points[c[0]], mesh_.points[c[i]], mesh_.points[c[j]]}};
-  };
-  double lower = looked_at(triangle(1, 2), face, within);
-  if (c.size() == 4) lower = std::min(lower, looked_at(triangle(2, 3), face, within));
-  return lower;
-}
-
-double LimitSearch::looked_at(const Triangle& triangle, Index face, double within) {
+double LimitSearch::looked_at(const Triangle& triangle, Index face) {
+  const double within = sides_[0].within[face];
   const double limit = sum_up(finding_.best.upper, within);
-  const std::optional<Distance> found = distance_within(triangle, model_, limit, query_.pair, workspace_);
+  const std::optional<Distance> found = distance_within(triangle, *model_, limit, query_.pair, workspace_);
   if (!found) return infinity;
   const double upper = sum_up(found->upper, within);
   if (upper < finding_.best.upper)
@@ -81,9 +111,9 @@ double LimitSearch::looked_at(const Triangle& triangle, Index face, double withi
                      .on_mesh = found->on_a,
                      .on_model = found->on_b,
                      .distance_to_limit = within,
-                     .cage_face = mesh_.cage_face[face],
+                     .cage_face = sides_[0].mesh.cage_face[face],
                      .element = found->element_b,
-                     .level = mesh_.level};
+                     .level = sides_[0].mesh.level};
   if (is_solid_ && found->upper == 0 && is_deep_inside(triangle, within)) finding_.is_proved_contact = true;
   return difference_down(found->lower, within);
 }
@@ -91,7 +121,7 @@ double LimitSearch::looked_at(const Triangle& triangle, Index face, double withi
 /// Then so is the point of the limit surface that belongs to the corner.
 bool LimitSearch::is_deep_inside(const Triangle& triangle, double within) const {
   return std::any_of(triangle.vertex.begin(), triangle.vertex.end(), [&](const Vec3& corner) {
-    return signed_distance(corner, model_, query_.pair.pose_b).upper < -within;
+    return signed_distance(corner, *model_, query_.pair.pose_b).upper < -within;
   });
 }
 
@@ -105,17 +135,33 @@ bool LimitSearch::is_enough() const {
 }
 
 /// What else may count is settled.
-std::vector<char> LimitSearch::open_faces() {
-  std::vector<char> open(mesh_.face_count(), 0);
-  for (const Candidate& candidate : candidates_)
+LimitSearch::OpenFaces LimitSearch::open_faces(const CageSide& side) const {
+  OpenFaces open{std::vector<char>(side.mesh.face_count(), 0), 0, infinity};
+  for (const CageSide::Candidate& candidate : side.candidates)
     if (candidate.lower > finding_.best.upper) {
       continue;
-    } else if (is_open(candidate.lower)) {
-      open[candidate.face] = 1;
+    } else if (is_open(candidate.lower) && !candidate.is_settled) {
+      open.marks[candidate.face] = 1;
+      ++open.count;
     } else {
-      settled_ = std::min(settled_, candidate.lower);
+      open.settled = std::min(open.settled, candidate.lower);
     }
   return open;
+}
+
+/// Whether there were any, on every side, and not too many.
+bool LimitSearch::refine_open_faces() {
+  std::vector<OpenFaces> open;
+  for (const CageSide& side : sides_) {
+    open.push_back(open_faces(side));
+    const std::size_t count = open.back().count;
+    if (count == 0 || count > query_.max_faces / 4 || side.mesh.level >= deepest_searched_level) return false;
+  }
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    settled_ = std::min(settled_, open[i].settled);
+    sides_[i].mesh = subdivided(sides_[i].mesh, open[i].marks);
+  }
+  return true;
 }
 
 }  // namespace toccata

@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "query/subdivision/adaptive_levels.hpp"
@@ -9,34 +10,31 @@
 namespace toccata {
 namespace {
 
-void check_refinement(const RefinementOptions& options) {
+void check_refinement(const SubdivisionCage& cage, const RefinementOptions& options) {
   if (!(options.tolerance > 0)) throw Error("the tolerance of a refinement must be positive");
   if (options.levels < 0 || options.levels > 30) throw Error("the levels of a refinement must be 0 … 30");
+  const double least = least_tolerance(cage);
+  if (options.tolerance < least)
+    throw Error(
+        fmt::format("the tolerance of a refinement is {:g}, but the rounding of coordinates as large as this "
+                    "cage's leaves {:.3g} open however often it is refined: ask for more, or move the cage "
+                    "near the origin",
+                    options.tolerance, least));
 }
 
 }  // namespace
 
-SubdividedMesh refine(const SubdivisionCage& cage, const RefinementOptions& options) {
-  check_refinement(options);
-  const AdaptiveLevels levels = adaptive_levels(cage, options);
-  LevelTriangles leaves(levels);
-  std::vector<Vec3> points = std::move(leaves).points();
-  std::vector<LimitTriangle> triangles = std::move(leaves).triangles();
-  std::stable_sort(triangles.begin(), triangles.end(),
-                   [](const LimitTriangle& a, const LimitTriangle& b) { return a.cage_face < b.cage_face; });
+double least_tolerance(const SubdivisionCage& cage) { return rounding_of_triangles(first_level(cage)); }
 
-  std::vector<std::array<Index, 3>> corners;
-  std::vector<Index> faces;
-  std::vector<double> distances;
-  for (const LimitTriangle& triangle : triangles) {
-    corners.push_back(triangle.corners);
-    faces.push_back(triangle.cage_face);
-    distances.push_back(triangle.distance);
-  }
-  const double farthest = *std::max_element(distances.begin(), distances.end());
-  return {.mesh = TriangleMesh(std::move(points), std::move(corners), std::move(faces)),
+SubdividedMesh refine(const SubdivisionCage& cage, const RefinementOptions& options) {
+  check_refinement(cage, options);
+  const AdaptiveLevels levels =
+      adaptive_levels(cage, options, [&](const LevelMesh&, Index) { return options.tolerance; });
+  LeafMesh leaves = leaf_mesh(levels);
+  const double farthest = *std::max_element(leaves.triangle_distances.begin(), leaves.triangle_distances.end());
+  return {.mesh = std::move(leaves.mesh),
           .distance_to_limit = farthest,
-          .triangle_distances = std::move(distances),
+          .triangle_distances = std::move(leaves.triangle_distances),
           .deepest_level = levels.meshes.back().level,
           .status = levels.are_complete && farthest <= options.tolerance ? Status::exact : Status::not_converged};
 }

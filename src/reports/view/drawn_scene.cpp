@@ -11,6 +11,11 @@ DrawnScene drawn_scene(const Scene& scene, std::span<const SceneInstance> models
     std::vector<SceneInstance> posed = scene_models(drawn, 1);
     return {std::move(drawn), std::move(posed)};
   }
+  if (const auto* refined = std::get_if<SubdivideReport>(&answer); refined != nullptr && refined->mesh) {
+    Scene drawn{.objects = {limit_object(*refined)}, .nodes = {}, .unit = scene.unit};
+    std::vector<SceneInstance> posed = scene_models(drawn, 1);
+    return {std::move(drawn), std::move(posed)};
+  }
   DrawnScene drawn{scene, drawn_models(models, answer)};
   for (std::size_t i = 0; i < models.size(); ++i) drawn.scene.objects[i].pose = drawn.models[i].pose;
   const auto* sum = std::get_if<MinkowskiReport>(&answer);
