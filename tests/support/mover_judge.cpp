@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 /// How many times as far as to a place that is free a character may be pushed, besides the skin.
-constexpr double recovery_factor = 4;
+constexpr double recovery_factor = 10;
 
 /// A step, and what was asked.
 struct JudgedStep {
@@ -82,7 +82,7 @@ std::string fault_of_length(const JudgedStep& judged) {
     return fmt::format("rose by {}", rise);
   // A wall that leans leads one aside who is put down beside it, by as much as he has gone.
   const double aside = length(judged.level_part(judged.own));
-  const double most = judged.walks() && judged.step.met_wall ? std::sqrt(2) * whole : whole;
+  const double most = judged.walks() && judged.step.met_wall ? 1.01 * std::sqrt(2) * whole : whole;
   if (aside > most * (1 + 1e-9) + 2 * skin) return fmt::format("went aside by {}", aside);
   if (!judged.walks() && length(judged.own) > whole * (1 + 1e-9) + 1e-9)
     return fmt::format("it has gone {}", length(judged.own));
@@ -212,13 +212,15 @@ std::string fault_of_walk(const MoverLevelCase& level, Random& random, int steps
   // Where it begins within something it may begin anywhere: the steps are judged by what they begin with.
   MoverState<Index> state{Pose::translation(level.starts[random.below(level.starts.size())])};
   Vec3 wanted = level_motion(random, 0.01);
+  int stuck = 0;
   for (int i = 0; i < steps; ++i) {
     const Vec3 motion = random_motion(wanted, state.ground.has_value(), random);
     const MoverStep<Index> step = move_character(level.level, shape, state, motion, options);
     if (const std::string fault = fault_of_step(level, shape, state, motion, options, step); !fault.empty())
       return fmt::format("step {}: {}", i, fault);
     state = step.state;
-    if (length(state.pose.offset) > 100) return {};  // out of the level
+    stuck = step.stuck ? stuck + 1 : 0;
+    if (stuck == 4 || length(state.pose.offset) > 100) return {};  // there is no way out, or it is out of the level
   }
   return {};
 }

@@ -123,7 +123,7 @@ class OneStep {
     if (rise > 0 && !walks) return;
     std::optional<WalkContact> ground = walk_.ground_at(end.position);
     if (!ground && walks && setting_.snap_distance > 0) {
-      const auto below = walk_.put_down(end.position, length(wanted));
+      const auto below = walk_.put_down(end.position, wanted);
       if (below) {
         end.position = below->position;
         end.contacts.insert(end.contacts.end(), below->contacts.begin(), below->contacts.end() - 1);

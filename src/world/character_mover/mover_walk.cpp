@@ -69,11 +69,12 @@ SlideEnd MoverWalk::slide(const Vec3& position, const Vec3& wanted, Footing foot
   return way.end;
 }
 
-std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, double aside) {
-  const double drop = setting_.snap_distance;
+std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, const Vec3& motion) {
+  const double longest = length(motion), drop = setting_.snap_distance;
   Sliding way{{position, {}}, -drop * setting_.up, Footing::free, 0x1p-40 * drop};
   for (int bend = 0; bend <= setting_.max_slides && goes_on(way); ++bend) {
-    if (length(horizontal_part(way.end.position - position, setting_.up)) > aside) return {};
+    const Vec3 aside = horizontal_part(way.end.position - position, setting_.up);
+    if (length(aside) > longest || dot(aside, motion) > 0x1p-6 * length(aside) * longest) return {};
     if (ground_at(way.end.position)) return way.end;
   }
   return {};

@@ -66,9 +66,9 @@ class MoverWalk {
   /// Up, on and down again, where that leads farther on than `flat`; the motion is level.
   [[nodiscard]] std::optional<SlideEnd> step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat);
 
-  /// Down onto ground no more than `snap_distance` below, along what is too steep to be ground, which leads aside by
-  /// `aside` at most; the last of the contacts is the ground.
-  [[nodiscard]] std::optional<SlideEnd> put_down(const Vec3& position, double aside);
+  /// Down onto ground no more than `snap_distance` below, after a level motion. What is too steep to be ground may lead
+  /// it aside on the way, but not on, and no farther than the motion is long; the last of the contacts is the ground.
+  [[nodiscard]] std::optional<SlideEnd> put_down(const Vec3& position, const Vec3& motion);
 
   /// What the body stands on, where it is.
   [[nodiscard]] std::optional<WalkContact> ground_at(const Vec3& position);
