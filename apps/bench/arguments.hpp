@@ -176,6 +176,19 @@ struct WorldQueriesArguments {
   bool json = false;
 };
 
+struct MoverArguments {
+  std::vector<std::string> levels;  ///< by name
+  std::string mesh;                 ///< instead of them
+  double scale = 1;                 ///< of the mesh
+  std::size_t triangles = 200000;   ///< of each level
+  std::size_t walks = 20;
+  std::size_t steps = 500;  ///< of each walk
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool json = false;
+};
+
 struct ProcessArguments {
   std::string command;
   std::string mesh;  ///< empty: stanford-bunny.obj of TOCCATA_DATA
@@ -248,6 +261,7 @@ int run_world(const WorldArguments& arguments);
 int run_space_time(const WorldArguments& arguments);
 int run_parts(const PartsArguments& arguments);
 int run_world_queries(const WorldQueriesArguments& arguments);
+int run_mover(const MoverArguments& arguments);
 int run_proximity(const ProximityArguments& arguments);
 int run_process(const ProcessArguments& arguments);
 int run_sums(const SumsArguments& arguments);

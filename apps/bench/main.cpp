@@ -8,6 +8,7 @@
 #include "convex_library.hpp"
 #include "feature_peer.hpp"
 #include "library.hpp"
+#include "movers.hpp"
 #include "narrow/triangle_pairs.hpp"
 #include "sums.hpp"
 #include "sweeps.hpp"
@@ -36,6 +37,7 @@ struct Options {
   WorldArguments world;
   PartsArguments parts;
   WorldQueriesArguments world_queries;
+  MoverArguments mover;
   PartitionsArguments partitions;
   ProcessArguments process;
   SumsArguments sums;
@@ -380,6 +382,28 @@ void add_world_queries(CLI::App& app, WorldQueriesArguments& arguments) {
   queries->footer("Example:\n  ./toccata bench world-queries --task nearest --peer fcl");
 }
 
+void add_mover(CLI::App& app, MoverArguments& arguments) {
+  CLI::App* mover = app.add_subcommand("mover", "characters that walk through levels of many triangles");
+  arguments.levels = walk_levels();
+  mover->add_option("--level", arguments.levels, "by commas: all, where none is named")
+      ->delimiter(',')
+      ->check(CLI::IsMember(walk_levels()));
+  add_mesh_file(*mover, "--mesh", arguments.mesh)->description("a mesh as the level instead, z up, taken as a surface");
+  mover->add_option("--scale", arguments.scale, "of the mesh: a walker is 1.8 units high")
+      ->check(positive())
+      ->capture_default_str();
+  add_number(*mover, "--triangles", arguments.triangles, "of each level, about");
+  add_number(*mover, "--walks", arguments.walks, "walkers, one after the other");
+  add_number(*mover, "--steps", arguments.steps, "of each");
+  add_number(*mover, "--rounds", arguments.rounds, "how often all is walked; the fastest time of each step counts");
+  add_peers(*mover, arguments.peers, {"bullet"});
+  mover->add_option("--seed", arguments.seed, "another seed, other levels and wishes")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_json(*mover, arguments.json);
+  mover->footer("Example:\n  ./toccata bench mover --level crowd,seams --peer bullet");
+}
+
 void add_process(CLI::App& app, ProcessArguments& arguments) {
   arguments.command = TOCCATA_COMMAND;
   CLI::App* process = app.add_subcommand("process", "the whole command: time and memory from start to end");
@@ -495,6 +519,7 @@ int main_of(int argc, char** argv) {
   add_world(app, options.world);
   add_parts(app, options.parts);
   add_world_queries(app, options.world_queries);
+  add_mover(app, options.mover);
   add_partitions(app, options.partitions);
   add_process(app, options.process);
   add_sums(app, options.sums);
@@ -524,6 +549,7 @@ int main_of(int argc, char** argv) {
     return options.world.task == "space-time" ? run_space_time(options.world) : run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
+  if (app.got_subcommand("mover")) return run_mover(options.mover);
   if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);
   if (app.got_subcommand("sums")) return run_sums(options.sums);
   if (app.got_subcommand("motion")) return run_motion_task(options.motion);

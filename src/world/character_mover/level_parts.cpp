@@ -8,7 +8,8 @@ namespace {
 
 LevelElement with_planes(LevelSet set, Index object, Index element, const Aabb& box) {
   const ThingPlanes planes = planes_of(set);
-  return {std::move(set), object, element, box, planes};
+  const ThingEdges edges = edges_of(set);
+  return {std::move(set), object, element, box, planes, edges};
 }
 
 }  // namespace

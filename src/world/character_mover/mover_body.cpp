@@ -154,11 +154,7 @@ MoverBody::Placed MoverBody::placed_at(const Vec3& position) const {
   FewCorners& few = placed.corners;
   if (core == nullptr || core->vertex_count() > few.corners.size()) return placed;
   const Vec3 by = position - pose_.offset;
-  for (Index i = 0; i < core->vertex_count(); ++i) {
-    const Vec3 corner = core->vertex(i) + by;
-    few.corners[few.count++] = corner;
-    for (int axis = 0; axis < 3; ++axis) few.extent = std::max(few.extent, std::abs(corner[axis]));
-  }
+  for (Index i = 0; i < core->vertex_count(); ++i) few.add(core->vertex(i) + by);
   return placed;
 }
 
@@ -173,6 +169,9 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
   if (bound.planes.is_exact)
     return {bound.distance, bound.planes.normal, bound.planes.foot + thing.planes.radius * bound.planes.normal,
             bound.planes.distance};
+  if (const auto edge = edge_gap(placed.corners, thing.edges))
+    return {edge->distance - radius_ - thing.planes.radius, edge->normal,
+            edge->foot + thing.planes.radius * edge->normal, edge->distance};
   const Set placed_core = at(core_, placed.position);
   const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed_core);
   return gap ? *gap : overlap_at(placed.position, thing);

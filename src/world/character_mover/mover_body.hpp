@@ -7,6 +7,7 @@
 #include "query/posed_shape.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/query/model.hpp"
+#include "world/character_mover/thing_edges.hpp"
 #include "world/character_mover/thing_planes.hpp"
 
 namespace toccata {
@@ -18,6 +19,7 @@ struct LevelElement {
   Index element = 0;  ///< as in Model
   Aabb box;           ///< around it, in the world
   ThingPlanes planes;
+  ThingEdges edges;
 };
 
 /// How far a body is from a convex thing.

@@ -88,14 +88,23 @@ ThingPlanes planes_of(const LevelSet& set) {
   return planes;
 }
 
+void FewCorners::add(const Vec3& corner) {
+  corners[count++] = corner;
+  extent = std::max(extent, most_of_coordinates(corner));
+}
+
 double FewCorners::lowest_along(const Vec3& direction) const {
   double lowest = infinity;
   for (std::size_t i = 0; i < count; ++i) lowest = std::min(lowest, dot(direction, corners[i]));
   return lowest;
 }
 
+double height_slack(double extent_above, double extent_below) {
+  return height_error * std::max(extent_above, extent_below);
+}
+
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
-  return height_error * std::max(above.extent, planes.extent);
+  return height_slack(above.extent, planes.extent);
 }
 
 PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {

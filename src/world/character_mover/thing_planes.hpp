@@ -35,6 +35,7 @@ struct FewCorners {
   std::size_t count = 0;
   double extent = 0;  ///< the greatest coordinate
 
+  void add(const Vec3& corner);
   [[nodiscard]] double lowest_along(const Vec3& direction) const;
 };
 
@@ -46,7 +47,8 @@ struct PlaneGap {
   Vec3 foot{};            ///< then, where on it
 };
 
-/// What heights along the normals of planes may be off by.
+/// What heights along unit vectors may be off by, of things whose coordinates are no greater.
+[[nodiscard]] double height_slack(double extent_above, double extent_below);
 [[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
 
 /// By the first plane that is `enough`, or else the best.
