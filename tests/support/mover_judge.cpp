@@ -176,15 +176,16 @@ std::string fault_of_recovery(const SceneIndex& level, const Model& shape, const
   const Pose& there = out.state.pose;
   const double skin = options.skin, least = 0.875 * skin - 1e-9;
   if (!out.tight && is_within(level, shape, there, least)) return "pushed out, it is still too near";
-  if (out.tight && !is_within(level, shape, there, 0.90625 * skin + 1e-9)) return "it says that it is too near to nothing";
+  if (out.tight && !is_within(level, shape, there, 0.90625 * skin + 1e-9))
+    return "it says that it is too near to nothing";
   if (out.stuck != is_within(level, shape, there, 0))
     return out.stuck ? "it says that it overlaps what it does not" : "it still overlaps and does not say so";
   const double shorter = (length(out.pushed_out) - skin) / recovery_factor;
   if (out.tight || !(shorter > 0)) return {};
   for (const Vec3& way : ways_all_around())
     if (!is_within(level, shape, Pose::translation(shorter * way) * pose, skin))
-      return fmt::format("pushed out by {}, though {} along {}, {}, {} is enough", length(out.pushed_out), shorter, way.x,
-                         way.y, way.z);
+      return fmt::format("pushed out by {}, though {} along {}, {}, {} is enough", length(out.pushed_out), shorter,
+                         way.x, way.y, way.z);
   return {};
 }
 
@@ -194,8 +195,8 @@ std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const
   if (!is_finite(pose) || !(pose.linear == from.pose.linear))
     return "the pose is no longer what it was but for its offset";
   const JudgedStep judged{level, shape, from, motion, options, step};
-  for (const auto fault_of : {fault_of_nearness, fault_of_length, fault_of_slide, fault_of_free_way, fault_of_place,
-                              fault_of_repeating})
+  for (const auto fault_of :
+       {fault_of_nearness, fault_of_length, fault_of_slide, fault_of_free_way, fault_of_place, fault_of_repeating})
     if (std::string fault = fault_of(judged); !fault.empty())
       return fmt::format("{}; the motion is {}, {}, {}", fault, motion.x, motion.y, motion.z);
   if (is_within(level.level, shape, from.pose, 0.875 * options.skin))

@@ -183,7 +183,8 @@ TEST(CharacterMoverLimits, ALiftGoesOnUnderWhatIsHeldBack) {
 
 TEST(CharacterMoverLimits, WhatSlipsAlongItAndThenMeetsItPushesIt) {
   // A wall beside it, nearer than the skin, with a post farther on, which comes along the wall.
-  const Compound wall({{Box({0.1, 9, 2}), Pose::translation(0.1, 0, 0)}, {Box({0.4, 0.1, 2}), Pose::translation(-0.4, -3, 0)}});
+  const Compound wall(
+      {{Box({0.1, 9, 2}), Pose::translation(0.1, 0, 0)}, {Box({0.4, 0.1, 2}), Pose::translation(-0.4, -3, 0)}});
   const Pose before = Pose::translation(0.405, 0, 1), after = Pose::translation(0.405, 6, 1);
   const SceneIndex level = scene({{Model(wall), after}});
   const Moved moved{{0, before}};
