@@ -1,16 +1,12 @@
 #include "support/mover_levels.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "support/data.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/model_file.hpp"
-#include "toccata/query/distance.hpp"
 
 namespace toccata::test {
 namespace {
@@ -140,24 +136,6 @@ void fill(std::string_view family, std::vector<SceneInstance>& models, MoverLeve
   }
 }
 
-/// Of a step in which nothing was met: it leads where it was wanted, and the casts of the library, which are made
-/// otherwise, meet nothing on the way, which is straight, and then down to the ground.
-std::string fault_of_free_way(const MoverLevelCase& level, const Model& shape, const MoverState<Index>& from,
-                              const Vec3& motion, const Vec3& up, const MoverStep<Index>& step) {
-  const double asked = dot(motion, up);
-  const bool walks = from.ground && asked <= 0;
-  const Vec3 aside = walks ? motion - asked * up : motion;
-  const Vec3 down = step.moved - aside;
-  if (length(down - dot(down, up) * up) > 1e-12 * (1 + length(motion))) return "it met nothing and went astray";
-  if (!walks && length(down) > 1e-12 * (1 + length(motion))) return "it met nothing and stopped";
-  Pose pose = from.pose;
-  for (const Vec3& leg : {aside, down}) {
-    if (!(leg == Vec3{}) && level.level.cast_shape({{shape, pose}, leg})) return "it passed through something";
-    pose.offset += leg;
-  }
-  return {};
-}
-
 }  // namespace
 
 TriangleMesh seamed_rectangle(const Vec3& corner, const Vec3& side, const Vec3& other, Random& random) {
@@ -226,72 +204,6 @@ Model random_character(Random& random) {
     default:
       return Capsule({0, 0, radius}, {0, 0, radius + height}, radius);
   }
-}
-
-double distance_from_level(const SceneIndex& level, const Model& shape, const Pose& pose) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const SceneInstance& model : level.models())
-    least = std::min(least, distance(shape, model.model, {pose, model.pose}).upper);
-  return least;
-}
-
-std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const MoverState<Index>& from,
-                          const Vec3& motion, const MoverOptions& options, const MoverStep<Index>& step) {
-  const Pose& pose = step.state.pose;
-  if (!is_finite(pose) || !(pose.linear == from.pose.linear))
-    return "the pose is no longer what it was but for its offset";
-  const double before = distance_from_level(level.level, shape, from.pose);
-  const double after = distance_from_level(level.level, shape, pose);
-  if (after < std::min(before, 0.875 * options.skin) - 1e-9)
-    return fmt::format("the distance was {} and is {}, with a skin of {}", before, after, options.skin);
-  if (before > options.skin && !(step.pushed_out == Vec3{})) return "pushed out of nothing";
-  if (before > 0 && (step.stuck || step.crushed)) return "stuck in nothing";
-  const Vec3 up = normalized(options.up);
-  const Vec3 own = step.moved - step.carried - step.pushed_out;
-  const double rise = dot(own, up), asked = dot(motion, up);
-  const double aside = length(motion - asked * up);
-  const double slope = std::tan(options.max_slope_degrees * pi / 180);
-  if (rise > std::max(asked, 0.0) + slope * aside + (step.stepped ? options.step_height : 0) + options.skin)
-    return fmt::format("rose by {} though the motion is {}, {}, {}", rise, motion.x, motion.y, motion.z);
-  if (length(own - rise * up) > length(motion) * (1 + 1e-9) + 2 * options.skin)
-    return fmt::format("went aside by {} though the motion is {} long", length(own - rise * up), length(motion));
-  const bool is_free = before > 0 && step.contacts.empty() && !step.stepped && own == step.moved;
-  if (std::string fault = is_free ? fault_of_free_way(level, shape, from, motion, up, step) : ""; !fault.empty())
-    return fault;
-  const Vec3 at = pose.offset;
-  const bool is_held = !(level.lower == level.upper);
-  for (int axis = 0; is_held && axis < 3; ++axis)
-    if (at[axis] < level.lower[axis] || at[axis] > level.upper[axis]) return "it has left the room";
-  return {};
-}
-
-std::string fault_of_walk(const MoverLevelCase& level, Random& random, int steps) {
-  const Model shape = random_character(random);
-  MoverOptions options;
-  options.skin = random.below(4) == 0 ? 0.002 : 0.01;
-  options.step_height = random.below(3) == 0 ? 0 : 0.3;
-  options.max_slope_degrees = random.between(20, 60);
-  MoverState<Index> state{Pose::translation(level.starts[random.below(level.starts.size())])};
-  // Where it begins within something it may begin anywhere: the steps are judged by what they begin with.
-  Vec3 wanted = random.between(0.01, 0.3) * level_direction(random);
-  for (int i = 0; i < steps; ++i) {
-    if (random.below(12) == 0) wanted = random.between(0.001, 0.3) * level_direction(random);
-    Vec3 motion = wanted - Vec3{0, 0, state.ground ? 0.0 : 0.15};
-    if (random.below(20) == 0) motion += Vec3{0, 0, 0.5};
-    if (random.below(40) == 0) motion = random_vector(random, std::pow(10, random.between(0, 6)));
-    const MoverStep<Index> step = move_character(level.level, shape, state, motion, options);
-    std::string fault = fault_of_step(level, shape, state, motion, options, step);
-    if (fault.empty() && !(move_character(level.level, shape, state, motion, options) == step))
-      fault = "the same step again is another";
-    if (fault.empty() && step.state.ground && !step.tight) {
-      const MoverStep<Index> rest = move_character(level.level, shape, step.state, {}, options);
-      if (!(rest.state.pose == step.state.pose)) fault = "it does not stand still";
-    }
-    if (!fault.empty()) return fmt::format("step {}: {}", i, fault);
-    state = step.state;
-    if (length(state.pose.offset) > 100) return {};  // out of the level
-  }
-  return {};
 }
 
 }  // namespace toccata::test

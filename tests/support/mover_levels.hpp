@@ -38,6 +38,14 @@ struct MoverLevelCase {
 /// The least distance from all models of a level, by asking each; infinite where there is none.
 [[nodiscard]] double distance_from_level(const SceneIndex& level, const Model& shape, const Pose& pose);
 
+/// Is any model of the level no farther than that? Each is asked by itself, and answers exactly.
+[[nodiscard]] bool is_within(const SceneIndex& level, const Model& shape, const Pose& pose, double distance);
+
+/// What is wrong with how a character gets out of what it is in at a pose; empty if nothing is. It ends outside by the
+/// skin, or says that it does not; and goes no farther than a few times the way to some place that is free.
+[[nodiscard]] std::string fault_of_recovery(const SceneIndex& level, const Model& shape, const Pose& pose,
+                                            const MoverOptions& options);
+
 /// What is wrong with a step; empty if nothing is.
 [[nodiscard]] std::string fault_of_step(const MoverLevelCase& level, const Model& shape, const MoverState<Index>& from,
                                         const Vec3& motion, const MoverOptions& options, const MoverStep<Index>& step);

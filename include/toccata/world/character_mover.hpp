@@ -59,6 +59,7 @@ struct MoverStep {
   bool tight = false;                      ///< it is still nearer than that to something, as in a way too narrow
   bool stuck = false;                      ///< it still overlaps something: there was no way out
   bool crushed = false;                    ///< something that moved its way could not push it aside
+  bool cut_short = false;                  ///< it may not have gone as far as it can; the contacts tell what stopped it
   friend bool operator==(const MoverStep&, const MoverStep&) = default;
 };
 
@@ -68,9 +69,10 @@ struct MoverStep {
 ///
 ///  - it comes no nearer to anything than 7/8 of the skin, or than it was, at any moment of the way, however long that
 ///    is. This is proved at every part of the way (docs/guide/character-mover.md), so nothing tunnels. Where it cannot
-///    be proved, as far from the origin that the skin is lost in the rounding, the character stops, and what it could
-///    not be proved to pass is told as a contact. What carries it may pass through it where something else is in the
-///    way;
+///    be proved, as far from the origin that the skin is lost in the rounding, the character stops, what it could not
+///    be proved to pass is told as a contact, and the step is `cut_short`. It is that also where the way bends more
+///    often than `max_slides`. What pushes or carries it may pass through it where something else is in the way; then
+///    it is `crushed`;
 ///  - on ground, a motion that has no part along `up` is walked: its level part alone counts, over slopes up to the
 ///    greatest, up steps, and down by `snap_distance` at most; the ground that it stands on at the end is in the state.
 ///    Any other motion is a jump or a fall, which slides along everything. Steeper slopes are walls to what would

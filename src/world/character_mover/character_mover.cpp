@@ -73,7 +73,8 @@ class OneStep {
     const Vec3 wanted = walks ? motion - rise * setting_.up : motion;
     SlideEnd end = walk_.slide(begin, wanted, walks ? Footing::walking : Footing::free);
     if (walks) step_up_where_blocked(begin, wanted, end, step);
-    settle(end, walks, rise, step);
+    settle(end, walks, rise, wanted, step);
+    step.cut_short = step.cut_short || end.cut_short;
     step.state.pose = body_.pose_at(end.position);
     step.moved = end.position - from_.pose.offset;
     tell(end, step);
@@ -100,6 +101,7 @@ class OneStep {
     const CarriedPlace carried = carried_along(from, stand, moved, objects_, walk_, body_, setting_.least_gap());
     step.carried = carried.position - from;
     step.crushed = carried.crushed;
+    step.cut_short = carried.cut_short;
     const RecoveredPlace out = walk_.recovered(carried.position, objects_);
     step.pushed_out = out.position - carried.position;
     step.tight = out.tight;
@@ -117,13 +119,16 @@ class OneStep {
   }
 
   /// Onto the ground, if it stands on some or walked and some is near below.
-  void settle(SlideEnd& end, bool walks, double rise, MoverStep<Index>& step) {
+  void settle(SlideEnd& end, bool walks, double rise, const Vec3& wanted, MoverStep<Index>& step) {
     if (rise > 0 && !walks) return;
     std::optional<WalkContact> ground = walk_.ground_at(end.position);
     if (!ground && walks && setting_.snap_distance > 0) {
-      const auto below = walk_.stopped(end.position, -setting_.snap_distance * setting_.up);
-      if (below) ground = walk_.ground_at(*below);
-      if (ground) end.position = *below;
+      const auto below = walk_.put_down(end.position, wanted);
+      if (below) {
+        end.position = below->position;
+        end.contacts.insert(end.contacts.end(), below->contacts.begin(), below->contacts.end() - 1);
+        ground = walk_.ground_at(end.position);
+      }
     }
     if (ground) step.state.ground = told_contact(*ground);
   }
@@ -198,6 +203,7 @@ MoverStep<typename Objects::Id> by_id(const Objects& objects, const MoverStep<In
   own.tight = step.tight;
   own.stuck = step.stuck;
   own.crushed = step.crushed;
+  own.cut_short = step.cut_short;
   return own;
 }
 

@@ -18,29 +18,80 @@ Vec3 displacement_of(const Vec3& point, const Pose& before, const Pose& after) {
 /// An object that comes the character's way, in the level.
 class PushingObject {
  public:
-  PushingObject(const MovedIndex& moved, const InstanceView& at, const MoverBody& body, double gap)
-      : moved_(moved), at_(at), body_(body), gap_(gap), begin_(moved.before) {}
+  /// It begins at `begin`.
+  PushingObject(const Pose& begin, const InstanceView& at, const MoverBody& body, double gap)
+      : at_(at), body_(body), gap_(gap), begin_(begin) {}
 
-  /// The way that it pushes the body next, if it meets it.
+  /// The way that it pushes the body next, if it meets it. What slips along the body, or leaves it, and is no farther
+  /// than the gap, may meet it later on its way: so it is asked for what comes nearer.
   [[nodiscard]] std::optional<Vec3> next_push(const Vec3& position) {
-    const RigidMotion motion = RigidMotion::between(begin_, at_.pose);
-    const SweepQuery query{Solid::automatic, at_.solid, gap_};
-    const ShapeHit met = sweep(body_.model(), RigidMotion(body_.pose_at(position)), at_.model, motion, query);
-    if (!met.hit) return {};
-    begin_ = met.lower > 0 ? motion.at(met.lower) : begin_;
-    const double way = dot(displacement_of(met.point, begin_, at_.pose), met.normal);
-    if (!(way > 0)) return {};
-    return way * met.normal;
+    for (const double gap : {gap_, 0.25 * gap_, 0.0}) {
+      const RigidMotion motion = RigidMotion::between(begin_, at_.pose);
+      const SweepQuery query{Solid::automatic, at_.solid, gap};
+      const ShapeHit met = sweep(body_.model(), RigidMotion(body_.pose_at(position)), at_.model, motion, query);
+      if (!met.hit) return {};
+      const Pose there = met.lower > 0 ? motion.at(met.lower) : begin_;
+      const double way = dot(displacement_of(met.point, there, at_.pose), met.normal);
+      if (!(way > 0)) continue;
+      begin_ = there;
+      return way * met.normal;
+    }
+    return {};
   }
 
-  [[nodiscard]] Index object() const { return moved_.object; }
-
  private:
-  const MovedIndex& moved_;
   InstanceView at_;
   const MoverBody& body_;
   double gap_;
   Pose begin_;
+};
+
+/// How a character is carried and pushed, one object after the other.
+class Carrying {
+ public:
+  Carrying(const Vec3& position, const SearchedObjects& objects, MoverWalk& walk, const MoverBody& body, double gap)
+      : objects_(objects), walk_(walk), body_(body), gap_(gap), place_{position} {}
+
+  /// Where something keeps the character from going along, its carrier has gone on under it, and may meet it.
+  void carry(const Vec3& stand, const MovedIndex& carrier) {
+    const Pose& now = objects_.at(carrier.object).pose;
+    const Vec3 by = displacement_of(stand, carrier.before, now);
+    const Vec3 wanted = place_.position + by;
+    go(by, carrier.object);
+    const Vec3 missing = wanted - place_.position;
+    if (!(missing == Vec3{})) push_from({now.linear, now.offset - missing}, carrier.object);
+  }
+
+  void push_from(const Pose& begin, Index object) {
+    PushingObject pushing(begin, objects_.at(object), body_, gap_);
+    for (int i = 0; i < most_pushes; ++i) {
+      const std::optional<Vec3> push = pushing.next_push(place_.position);
+      if (!push) return;
+      const Vec3 from = place_.position;
+      go(*push, object);
+      const double done = dot(place_.position - from, *push) / dot(*push, *push);
+      if (done < 0.5) {
+        place_.crushed = true;
+        return;
+      }
+    }
+    if (pushing.next_push(place_.position)) place_.crushed = true;
+  }
+
+  [[nodiscard]] const CarriedPlace& place() const { return place_; }
+
+ private:
+  void go(const Vec3& by, Index pushing) {
+    const SlideEnd end = walk_.slide(place_.position, by, Footing::free, pushing);
+    place_.position = end.position;
+    place_.cut_short = place_.cut_short || end.cut_short;
+  }
+
+  const SearchedObjects& objects_;
+  MoverWalk& walk_;
+  const MoverBody& body_;
+  double gap_;
+  CarriedPlace place_;
 };
 
 }  // namespace
@@ -48,26 +99,13 @@ class PushingObject {
 CarriedPlace carried_along(const Vec3& position, const std::optional<MoverStand>& stand,
                            std::span<const MovedIndex> moved, const SearchedObjects& objects, MoverWalk& walk,
                            const MoverBody& body, double gap) {
-  CarriedPlace place{position};
+  Carrying carrying(position, objects, walk, body, gap);
+  const auto carries = [&](const MovedIndex& one) { return stand && stand->object == one.object; };
   for (const MovedIndex& one : moved)
-    if (stand && stand->object == one.object && objects.accepts(one.object)) {
-      const Vec3 by = displacement_of(stand->point, one.before, objects.at(one.object).pose);
-      place.position = walk.slide(place.position, by, Footing::free, one.object).position;
-    }
-  for (const MovedIndex& one : moved) {
-    if (!objects.accepts(one.object) || (stand && stand->object == one.object)) continue;
-    PushingObject pushing(one, objects.at(one.object), body, gap);
-    for (int i = 0; i < most_pushes; ++i) {
-      const std::optional<Vec3> push = pushing.next_push(place.position);
-      if (!push) break;
-      const Vec3 from = place.position;
-      place.position = walk.slide(from, *push, Footing::free, one.object).position;
-      const double done = dot(place.position - from, *push) / dot(*push, *push);
-      if (done < 0.5) place.crushed = true;
-      if (done < 0.5) break;
-    }
-  }
-  return place;
+    if (carries(one) && objects.accepts(one.object)) carrying.carry(stand->point, one);
+  for (const MovedIndex& one : moved)
+    if (!carries(one) && objects.accepts(one.object)) carrying.push_from(one.before, one.object);
+  return carrying.place();
 }
 
 }  // namespace toccata

@@ -22,6 +22,7 @@ struct MoverStand {
 struct CarriedPlace {
   Vec3 position;
   bool crushed = false;
+  bool cut_short = false;
 };
 
 /// The character after the object that it stands on has carried it, and others have pushed it.

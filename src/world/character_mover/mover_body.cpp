@@ -40,6 +40,16 @@ const Model& require_mover(const Model& model) {
   return model;
 }
 
+/// More than it takes to leave a thing 2³⁰ times as large, by twice as much each time, and to turn a few times.
+constexpr int most_rounds_apart = 48;
+
+/// Where to move a body that meets a thing, for the two to part.
+Vec3 way_apart(const Aabb& body, const LevelElement& thing) {
+  if (const auto* floor = std::get_if<PosedHalfSpace>(&thing.set)) return normalized(floor->normal);
+  const Vec3 way = normalized((body.lower + body.upper) - (thing.box.lower + thing.box.upper));
+  return way == Vec3{} ? Vec3{0, 0, 1} : way;
+}
+
 std::variant<PosedPolytope, PosedQuadric> posed_set(const Shape& shape, const Pose& pose) {
   PosedShape posed = pose_shape(Model(shape), pose, Solid::automatic, "the character");
   if (auto* polytope = std::get_if<PosedPolytope>(&posed)) return *polytope;
@@ -98,18 +108,44 @@ std::optional<MoverGap> MoverBody::core_gap(const Body& core, const LevelSet& se
 }
 
 /// Where even the core meets the thing: the way in which the two part soonest.
-MoverGap MoverBody::overlap_at(const Vec3& position, const LevelSet& set) const {
+MoverGap MoverBody::overlap_at(const Vec3& position, const LevelElement& thing) const {
   const Set whole = at(whole_, position);
   const Manifold overlapping =
-      std::visit([](const auto& body, const auto& thing) { return manifold(body, thing); }, whole, set);
+      std::visit([](const auto& body, const auto& other) { return manifold(body, other); }, whole, thing.set);
+  if (overlapping.count == 0 || overlapping.normal == Vec3{}) return gap_from_apart(position, thing);
+  // They are not known to be apart, so a depth below 0 is rounding.
   MoverGap deepest{0, -overlapping.normal, point_at(position), 0};
   for (int i = 0; i < overlapping.count; ++i) {
     const ManifoldPoint& point = overlapping.points[static_cast<std::size_t>(i)];
     if (i > 0 && -point.depth >= deepest.distance) continue;
-    deepest.distance = -point.depth;
+    deepest.distance = std::min(-point.depth, 0.0);
     deepest.point = point.position;
   }
   return deepest;
+}
+
+/// Where the two meet so little that no way out is told, as quadrics that touch but for rounding: the body is moved
+/// apart, and the plane across the shortest way between the two then tells how deep they are in each other along its
+/// normal before. Moved apart along that normal next, the two are found to be less deep, or as deep.
+MoverGap MoverBody::gap_from_apart(const Vec3& position, const LevelElement& thing) const {
+  MoverGap best{-infinity, {}, point_at(position), 0};
+  Vec3 way = way_apart(box_at(position), thing);
+  double by = 0x1p-10 * size_;
+  for (int round = 0; round < most_rounds_apart; ++round) {
+    const Vec3 apart = position + by * way;
+    const Set core = at(core_, apart);
+    const auto gap = std::visit([&](const auto& body) { return core_gap(body, thing.set); }, core);
+    if (!gap) {
+      by *= 2;
+      continue;
+    }
+    const double before = gap->distance - dot(gap->normal, apart - position);
+    if (!(before > best.distance)) break;
+    best = {std::min(before, 0.0), gap->normal, gap->point, 0};
+    way = gap->normal;
+  }
+  if (best.normal == Vec3{}) best.distance = 0;
+  return best;
 }
 
 MoverBody::Placed MoverBody::placed_at(const Vec3& position) const {
@@ -138,7 +174,7 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
             edge->foot + thing.planes.radius * edge->normal, edge->distance};
   const Set placed_core = at(core_, placed.position);
   const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed_core);
-  return gap ? *gap : overlap_at(placed.position, thing.set);
+  return gap ? *gap : overlap_at(placed.position, thing);
 }
 
 }  // namespace toccata

@@ -96,7 +96,8 @@ class MoverBody {
 
   template <class Body>
   [[nodiscard]] std::optional<MoverGap> core_gap(const Body& core, const LevelSet& set) const;
-  [[nodiscard]] MoverGap overlap_at(const Vec3& position, const LevelSet& set) const;
+  [[nodiscard]] MoverGap overlap_at(const Vec3& position, const LevelElement& thing) const;
+  [[nodiscard]] MoverGap gap_from_apart(const Vec3& position, const LevelElement& thing) const;
   [[nodiscard]] Set at(const Set& set, const Vec3& position) const;
 
   const Model& model_;

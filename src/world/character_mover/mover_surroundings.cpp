@@ -118,8 +118,9 @@ std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& positio
 /// of rigid body systems", 1996): the plane across the shortest way between two convex things bounds how soon they can
 /// be nearer. Along a straight way the distance is a convex function of time, so these are the steps of Newton's method
 /// from the left, which never pass the first root.
-std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
-                                                      const Vec3& motion, double limit) const {
+std::optional<MoverSurroundings::Met> MoverSurroundings::meeting_with(const LevelElement& thing,
+                                                                      const MoverBody::Placed& start,
+                                                                      const Vec3& motion, double limit) const {
   const Vec3& position = start.position;
   const double speed = length(motion);
   const double tolerance = 0x1p-28 * skin_;
@@ -130,8 +131,8 @@ std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing,
     const double approach = -dot(gap.normal, motion);
     const bool is_leaving = approach <= std::min(parallel_slope * speed, parallel_share * skin_);
     const double excess = gap.distance - wanted;
-    if (!is_leaving && excess <= tolerance) return time;
-    if (gap.normal == Vec3{}) return time;
+    if (gap.normal == Vec3{}) return Met{time, &thing, false};
+    if (!is_leaving && excess <= tolerance) return Met{time, &thing};
     if (is_leaving && gap.distance <= 0) return {};
     // So far the plane is known.
     const Vec3 at = position + time * motion;
@@ -141,7 +142,7 @@ std::optional<double> MoverSurroundings::meeting_time(const LevelElement& thing,
     if (!(time <= limit)) return {};
     gap = body_.gap_at(position + time * motion, thing);
   }
-  return time;
+  return Met{time, &thing, false};
 }
 
 /// Of what is met at a time, the nearest then: of several elements that lie in one plane that over which the body is.
@@ -156,16 +157,21 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
       return std::tuple(g.distance, e.object, e.element);
     };
     if (!nearest || rank(gap, *one.thing) < rank(nearest->gap, nearest->thing))
-      nearest = MoverMeeting{time, gap, *one.thing};
+      nearest = MoverMeeting{time, gap, *one.thing, one.is_proved};
   }
   return nearest;
+}
+
+/// So long that where it leads, and how far into a plane, is rounded by more than a 16th of the skin.
+bool MoverSurroundings::is_too_long_for_planes(const Vec3& motion) const {
+  return !(0x1p-50 * most_coordinate(motion) <= 0x1p-4 * skin_);
 }
 
 /// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
 double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
                                      const Vec3& motion) const {
   const FewCorners& corners = start.corners;
-  if (corners.count == 0) return 0;
+  if (corners.count == 0 || is_too_long_for_planes(motion)) return 0;
   const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
   const double parallel_speed = std::min(parallel_slope * length(motion), parallel_share * skin_);
   double free = 0;
@@ -202,10 +208,10 @@ std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position
   double first = 1;
   for (const Waiting& next : waiting) {
     if (!met.empty() && next.is_slow && next.time >= first - same) continue;
-    const auto time = meeting_time(*next.thing, start, motion, std::min(1.0, first + same));
-    if (!time) continue;
-    met.push_back({*time, next.thing});
-    first = std::min(first, *time);
+    const auto meeting = meeting_with(*next.thing, start, motion, std::min(1.0, first + same));
+    if (!meeting) continue;
+    met.push_back(*meeting);
+    first = std::min(first, meeting->time);
   }
   return nearest_of(met, first, position, motion);
 }
@@ -222,11 +228,11 @@ std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position
   const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
   const auto look_at = [&](LevelElement element) {
     if (!(free_until(element, start, motion) <= limit())) return limit();
-    const auto time = meeting_time(element, start, motion, limit());
-    if (!time) return limit();
+    const auto meeting = meeting_with(element, start, motion, limit());
+    if (!meeting) return limit();
     seen.push_back(std::move(element));
-    met.push_back({*time, &seen.back()});
-    first = std::min(first, *time);
+    met.push_back({meeting->time, &seen.back(), meeting->is_proved});
+    first = std::min(first, meeting->time);
     return limit();
   };
   SweptFrontier frontier;

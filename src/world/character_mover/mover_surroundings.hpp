@@ -16,6 +16,7 @@ struct MoverMeeting {
   double time = 0;  ///< the fraction of the way; proved: before it nothing is nearer
   MoverGap gap;     ///< then
   LevelElement thing;
+  bool is_proved = true;  ///< no: it may be passed, but that could not be proved
 };
 
 /// A thing that a body is near to.
@@ -54,6 +55,7 @@ class MoverSurroundings {
   struct Met {
     double time;
     const LevelElement* thing;
+    bool is_proved = true;
   };
   struct Waiting {
     bool is_slow;
@@ -74,14 +76,15 @@ class MoverSurroundings {
   void gather();
   void gather_object(Index object);
   [[nodiscard]] bool is_long(const Vec3& motion) const;
+  [[nodiscard]] bool is_too_long_for_planes(const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without);
   [[nodiscard]] std::optional<MoverMeeting> first_far_on(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without) const;
   [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
                                                        const Vec3& motion) const;
-  [[nodiscard]] std::optional<double> meeting_time(const LevelElement& thing, const MoverBody::Placed& start,
-                                                   const Vec3& motion, double limit) const;
+  [[nodiscard]] std::optional<Met> meeting_with(const LevelElement& thing, const MoverBody::Placed& start,
+                                                const Vec3& motion, double limit) const;
   [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;

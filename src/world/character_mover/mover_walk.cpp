@@ -41,26 +41,43 @@ double MoverWalk::time_at_skin(const MoverMeeting& met, const Vec3& motion) cons
   return time * length(motion) > 0x1p-8 * setting_.skin ? time : 0;
 }
 
-SlideEnd MoverWalk::slide(const Vec3& position, const Vec3& wanted, Footing footing, std::optional<Index> without) {
-  SlideEnd end{position, {}};
-  std::vector<Plane> planes;
-  Vec3 rest = wanted;
-  for (int bend = 0; bend <= setting_.max_slides; ++bend) {
-    const Vec3 motion = allowed(rest, planes, footing);
-    if (!(length(motion) > 0x1p-40 * length(wanted))) break;
-    const std::optional<MoverMeeting> met = around_.first_meeting(end.position, motion, without);
-    if (!met) {
-      end.position += motion;
-      break;
-    }
-    const double time = time_at_skin(*met, motion);
-    end.position += time * motion;
-    rest = (1 - time) * rest;
-    for (Plane& plane : planes) plane.gap = around_.body().gap_at(end.position, plane.thing);
-    planes.push_back({met->thing, met->gap});
-    end.contacts.push_back({met->thing.object, met->thing.element, met->gap.point, met->gap.normal});
+/// As far as to what is met next; no if nothing is, or no motion is left.
+bool MoverWalk::goes_on(Sliding& way, std::optional<Index> without) {
+  SlideEnd& end = way.end;
+  const Vec3 motion = allowed(way.rest, way.planes, way.footing);
+  if (!(length(motion) > way.least)) return false;
+  const std::optional<MoverMeeting> met = around_.first_meeting(end.position, motion, without);
+  if (!met) {
+    end.position += motion;
+    return false;
   }
-  return end;
+  const double time = time_at_skin(*met, motion);
+  end.position += time * motion;
+  way.rest = (1 - time) * way.rest;
+  for (Plane& plane : way.planes) plane.gap = around_.body().gap_at(end.position, plane.thing);
+  way.planes.push_back({met->thing, met->gap});
+  end.contacts.push_back({met->thing.object, met->thing.element, met->gap.point, met->gap.normal});
+  end.cut_short = end.cut_short || !met->is_proved;
+  return true;
+}
+
+SlideEnd MoverWalk::slide(const Vec3& position, const Vec3& wanted, Footing footing, std::optional<Index> without) {
+  Sliding way{{position, {}}, wanted, footing, 0x1p-40 * length(wanted)};
+  for (int bend = 0; bend <= setting_.max_slides; ++bend)
+    if (!goes_on(way, without)) return way.end;
+  way.end.cut_short = way.end.cut_short || length(allowed(way.rest, way.planes, footing)) > way.least;
+  return way.end;
+}
+
+std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, const Vec3& motion) {
+  const double longest = length(motion), drop = setting_.snap_distance;
+  Sliding way{{position, {}}, -drop * setting_.up, Footing::free, 0x1p-40 * drop};
+  for (int bend = 0; bend <= setting_.max_slides && goes_on(way); ++bend) {
+    const Vec3 aside = horizontal_part(way.end.position - position, setting_.up);
+    if (length(aside) > longest || dot(aside, motion) > 0x1p-6 * length(aside) * longest) return {};
+    if (ground_at(way.end.position)) return way.end;
+  }
+  return {};
 }
 
 std::optional<Vec3> MoverWalk::stopped(const Vec3& position, const Vec3& motion) {

@@ -37,6 +37,7 @@ struct WalkContact {
 struct SlideEnd {
   Vec3 position;
   std::vector<WalkContact> contacts;
+  bool cut_short = false;  ///< it was not proved that it goes no farther
 };
 
 /// Which motions are nearest to those wanted: to a walker the level part alone counts.
@@ -65,6 +66,10 @@ class MoverWalk {
   /// Up, on and down again, where that leads farther on than `flat`; the motion is level.
   [[nodiscard]] std::optional<SlideEnd> step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat);
 
+  /// Down onto ground no more than `snap_distance` below, after a level motion. What is too steep to be ground may lead
+  /// it aside on the way, but not on, and no farther than the motion is long; the last of the contacts is the ground.
+  [[nodiscard]] std::optional<SlideEnd> put_down(const Vec3& position, const Vec3& motion);
+
   /// What the body stands on, where it is.
   [[nodiscard]] std::optional<WalkContact> ground_at(const Vec3& position);
 
@@ -79,6 +84,16 @@ class MoverWalk {
     MoverGap gap;
   };
 
+  /// A way that bends.
+  struct Sliding {
+    SlideEnd end;
+    Vec3 rest;  ///< of what is wanted
+    Footing footing;
+    double least;  ///< shorter motions are none
+    std::vector<Plane> planes{};
+  };
+
+  [[nodiscard]] bool goes_on(Sliding& way, std::optional<Index> without = {});
   [[nodiscard]] Vec3 allowed(const Vec3& wanted, std::span<const Plane> planes, Footing footing) const;
   [[nodiscard]] double time_at_skin(const MoverMeeting& met, const Vec3& motion) const;
   [[nodiscard]] bool stands_on_edge(const NearThing& near, const Vec3& position) const;

@@ -74,6 +74,12 @@ bool is_over_the_rest(const Vec3& foot, const ThingPlanes& planes, std::size_t f
 
 ThingPlanes planes_of(const LevelSet& set) {
   ThingPlanes planes;
+  if (const auto* half = std::get_if<PosedHalfSpace>(&set)) {
+    const Vec3 normal = normalized(half->normal);
+    planes.planes[planes.count++] = {normal, dot(normal, half->point)};
+    planes.extent = most_of_coordinates(half->point);
+    return planes;
+  }
   const auto* thing = std::get_if<PosedPolytope>(&set);
   if (thing == nullptr || thing->vertex_count() > 8) return planes;
   planes.radius = thing->radius();

@@ -12,8 +12,8 @@ namespace toccata {
 /// A convex thing of the level: an object, a part of one, or a triangle of it.
 using LevelSet = std::variant<PosedPolytope, PosedHalfSpace, PosedQuadric>;
 
-/// The planes of the faces of a small polytope, and of a triangle those through its edges too: it lies below all of
-/// them.
+/// The planes of the faces of a small polytope, of a triangle those through its edges too, and that of a half-space: it
+/// lies below all of them.
 struct ThingPlanes {
   struct Plane {
     Vec3 normal;     ///< unit
