@@ -137,15 +137,15 @@ std::vector<std::string> row_of(const std::string& name, const ObjectWalked& obj
 
 std::string end_text(const WalkReport& report) {
   switch (report.end) {
-    case WalkEnd::done:
+    case WalkOutcome::done:
       return "all motions are taken";
-    case WalkEnd::arrived:
+    case WalkOutcome::arrived:
       return "it arrives";
-    case WalkEnd::hindered:
+    case WalkOutcome::hindered:
       return "it gets no nearer to " + point_text(report.question.to);
-    case WalkEnd::fallen:
+    case WalkOutcome::fallen:
       return "it falls, and nothing is below it";
-    case WalkEnd::unfinished:
+    case WalkOutcome::unfinished:
       break;
   }
   return "it is still on its way; --most-steps allows more";
@@ -181,7 +181,7 @@ std::string table_of(const CheckInput& input, const WalkReport& report) {
 }
 
 Summary summary_of(const WalkReport& report) {
-  const bool is_there = report.end == WalkEnd::done || report.end == WalkEnd::arrived;
+  const bool is_there = report.end == WalkOutcome::done || report.end == WalkOutcome::arrived;
   return {"a walk of " + counted(report.steps.size(), "step"), !is_there || is_stuck(report)};
 }
 

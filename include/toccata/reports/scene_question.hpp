@@ -138,7 +138,7 @@ struct WalkQuestion {
 };
 
 /// How a walk ends.
-enum class WalkEnd {
+enum class WalkOutcome {
   done,       ///< all motions were taken
   arrived,    ///< it is at `to`
   hindered,   ///< it gets no nearer to `to`
@@ -146,7 +146,7 @@ enum class WalkEnd {
   unfinished  ///< `most_steps` were too few
 };
 
-[[nodiscard]] const char* name_of(WalkEnd end);  ///< "done", "arrived", "hindered", "fallen", "unfinished"
+[[nodiscard]] const char* name_of(WalkOutcome end);  ///< "done", "arrived", "hindered", "fallen", "unfinished"
 
 /// A step, and what was wanted in it. Ids are places of objects in the scene.
 struct WalkedStep {
@@ -158,7 +158,7 @@ struct WalkedStep {
 struct WalkReport {
   WalkQuestion question;
   std::vector<WalkedStep> steps;
-  WalkEnd end = WalkEnd::done;
+  WalkOutcome end = WalkOutcome::done;
 };
 
 /// Where the walker is after so many steps, of which there are as many; after none, at the start.

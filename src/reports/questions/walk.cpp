@@ -16,7 +16,7 @@
 namespace toccata {
 namespace {
 
-constexpr std::array<const char*, 5> walk_end_names{"done", "arrived", "hindered", "fallen", "unfinished"};
+constexpr std::array<const char*, 5> walk_outcome_names{"done", "arrived", "hindered", "fallen", "unfinished"};
 
 void require_of_walk(bool is_fine, const char* name, double value, const char* range) {
   if (!is_fine) throw Error(fmt::format("a walk: its {} is {}; it has to be {}", name, value, range));
@@ -38,7 +38,7 @@ class WalkUnderWay {
         walker_(question.walker),
         up_(normalized(question.options.up)),
         state_{Pose::translation(question.from.x, question.from.y, question.from.z), {}},
-        report_{question, {}, WalkEnd::done},
+        report_{question, {}, WalkOutcome::done},
         nearest_(length(level_way())) {}
 
   WalkReport whole() {
@@ -90,18 +90,18 @@ class WalkUnderWay {
     return true;
   }
 
-  WalkEnd way_to_its_end() {
+  WalkOutcome way_to_its_end() {
     constexpr int patience = 8, longest_fall = 30;
     for (int in_vain = 0; report_.steps.size() < question().most_steps;) {
-      if (has_arrived()) return WalkEnd::arrived;
+      if (has_arrived()) return WalkOutcome::arrived;
       const Vec3 way = level_way();
       const double left = length(way), stride = question().stride;
       take_step(left <= stride ? way : (stride / left) * way);
       in_vain = has_got_on() ? 0 : in_vain + 1;
-      if (past_all_ == longest_fall) return WalkEnd::fallen;
-      if (in_vain == patience && !has_arrived()) return WalkEnd::hindered;
+      if (past_all_ == longest_fall) return WalkOutcome::fallen;
+      if (in_vain == patience && !has_arrived()) return WalkOutcome::hindered;
     }
-    return has_arrived() ? WalkEnd::arrived : WalkEnd::unfinished;
+    return has_arrived() ? WalkOutcome::arrived : WalkOutcome::unfinished;
   }
 
   SceneIndex level_;
@@ -249,7 +249,7 @@ struct WalkKind {
 
 }  // namespace
 
-const char* name_of(WalkEnd end) { return walk_end_names[static_cast<std::size_t>(end)]; }
+const char* name_of(WalkOutcome end) { return walk_outcome_names[static_cast<std::size_t>(end)]; }
 
 Vec3 place_after(const WalkReport& report, std::size_t steps) {
   return steps == 0 ? report.question.from : report.steps[steps - 1].step.state.pose.offset;
