@@ -55,9 +55,10 @@ Shape walker_asked(const WalkArguments& arguments, const Scene& scene, const Vec
   const double radius = length_asked(arguments.radius, scene), height = length_asked(arguments.height, scene);
   if (!(radius > 0)) throw Error(fmt::format("--radius {}: a capsule has a radius above 0", arguments.radius.text));
   if (!(height >= 2 * radius))
-    throw Error(fmt::format("a capsule of radius {} is at least {} high, and here it is {}: say another --height or "
-                            "--radius",
-                            radius, 2 * radius, height));
+    throw Error(
+        fmt::format("a capsule of radius {} is at least {} high, and here it is {}: say another --height or "
+                    "--radius",
+                    radius, 2 * radius, height));
   return Capsule(radius * up, (height - radius) * up, radius);
 }
 
@@ -83,8 +84,7 @@ WalkQuestion walk_asked(const WalkArguments& arguments, const Scene& scene) {
   question.walker = walker_asked(arguments, scene, question.options.up);
   question.stride = length_asked(arguments.stride, scene);
   // The motions of a file are all that is wanted, unless more is said.
-  question.fall =
-      arguments.motion.empty() || !arguments.fall.text.empty() ? length_asked(arguments.fall, scene) : 0;
+  question.fall = arguments.motion.empty() || !arguments.fall.text.empty() ? length_asked(arguments.fall, scene) : 0;
   question.most_steps = arguments.most_steps;
   question.options.skin = length_asked(arguments.skin, scene);
   question.options.step_height = length_asked(arguments.step_height, scene);

@@ -22,9 +22,9 @@ using Json = nlohmann::json;
 
 /// A floor of two triangles, and a box upon it.
 Scene walk_scene() {
-  const auto floor = std::make_shared<const TriangleMesh>(
-      std::vector<Vec3>{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}},
-      std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}});
+  const auto floor =
+      std::make_shared<const TriangleMesh>(std::vector<Vec3>{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}},
+                                           std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}});
   Scene scene;
   scene.objects.resize(2);
   scene.objects[0].name = "floor";

@@ -196,9 +196,9 @@ class WorldRecording {
 /// pass (swept_volume). Throws Error as WorldRecording does.
 [[nodiscard]] WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report);
 
-/// A walk (WalkReport) step by step, of a long one some two thousand of its steps: the walker on its way, what it stands
-/// on and met with the normals there, the objects that it is as near as twice its skin, and the whole path. Throws Error
-/// as WorldRecording does.
+/// A walk (WalkReport) step by step, of a long one some two thousand of its steps: the walker on its way, what it
+/// stands on and met with the normals there, the objects that it is as near as twice its skin, and the whole path.
+/// Throws Error as WorldRecording does.
 [[nodiscard]] WorldRecording record_walk(std::span<const SceneInstance> models, const WalkReport& report);
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of

@@ -196,15 +196,15 @@ struct WalkKind {
   }
 
   static WalkQuestion read(const io::JsonValue& value) {
-    value.expect_keys(
-        {"question", "walker", "from", "fall", "options", "to", "stride", "most_steps", "motions"});
+    value.expect_keys({"question", "walker", "from", "fall", "options", "to", "stride", "most_steps", "motions"});
     if (value.has("to") == value.has("motions"))
       value.fail("a walk leads to a place or takes motions", "write either \"to\" or \"motions\"");
     WalkQuestion q;
     if (value.has("walker"))
-      q.walker = io::shape_of(value.at("walker"), [](const io::JsonValue& holder) -> std::shared_ptr<const TriangleMesh> {
-        holder.fail("a walker is of a file", "write its points here");
-      });
+      q.walker =
+          io::shape_of(value.at("walker"), [](const io::JsonValue& holder) -> std::shared_ptr<const TriangleMesh> {
+            holder.fail("a walker is of a file", "write its points here");
+          });
     q.from = value.at("from").vector();
     if (value.has("fall")) q.fall = value.at("fall").number();
     if (value.has("options")) q.options = options_of(value.at("options"));

@@ -131,11 +131,12 @@ void add_lasting(const WorldRecording& recording, const io::DisplayFrame& frame,
 }
 
 Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, io::ViewData& data) {
-  std::array<MomentLayer, 6> layers{
-      MomentLayer{"segments", "begin", "Pairs that begin", 6},
-      MomentLayer{"segments", "persist", "Pairs that persist", 6}, MomentLayer{"segments", "end", "Pairs that end", 6},
-      MomentLayer{"points", "contact", "Contact points", 3}, MomentLayer{"segments", "distance", "Distance", 6},
-      MomentLayer{"arrows", "normal", "Normals", 6}};
+  std::array<MomentLayer, 6> layers{MomentLayer{"segments", "begin", "Pairs that begin", 6},
+                                    MomentLayer{"segments", "persist", "Pairs that persist", 6},
+                                    MomentLayer{"segments", "end", "Pairs that end", 6},
+                                    MomentLayer{"points", "contact", "Contact points", 3},
+                                    MomentLayer{"segments", "distance", "Distance", 6},
+                                    MomentLayer{"arrows", "normal", "Normals", 6}};
   for (const RecordedFrame& one : recording.frames()) {
     for (const RecordedPair& pair : one.pairs) {
       layers[static_cast<std::size_t>(pair.change)].add(frame, {pair.middle_a, pair.middle_b});
