@@ -144,6 +144,15 @@ SWEEPS = {
     "first-contact": ([KNOT, RING], ["--from", "0 0 -2", "--to", "translation=0,0,2 axis=0,0,1 degrees=170"], "moment=23&grid=0&off=surface"),
 }
 
+HALL = scene(
+    ("floor", box(4, 2.4, 0.1), UPRIGHT, [0, 0, -0.1]), ("low step", box(1.2, 2.4, 0.1), UPRIGHT, [1.6, 0, 0.1]),
+    ("high step", box(0.6, 2.4, 0.1), UPRIGHT, [2.2, 0, 0.3]), ("column", {"type": "cylinder", "radius": 0.4, "half_height": 0.9}, UPRIGHT, [-1.2, -0.15, 0.9]),
+    ("wall", box(0.1, 2.4, 0.9), UPRIGHT, [2.9, 0, 1.3]))
+HALL_WALK = "--from -3 0 0 --to 3.5 1.2 0.4 --stride 0.06 --radius 0.3 --height 1.4"
+
+# Walks: a level, words of the command, and how they are shown.
+WALKS = {"walk": (HALL, HALL_WALK, "moment=150&grid=0&off=distance,begin,persist,end")}
+
 # The cloth of the demo as it lies at last: how it is shown.
 CLOTHS = {"cloth": "grid=0&finding=0&camera=0.05,0,-0.06,0.5,2.3,0.3"}
 
@@ -168,6 +177,9 @@ def asked_for(command, picture, folder):
     if picture in SWEEPS:
         files, options, look = SWEEPS[picture]
         return ["sweep", *(word for i, shown in enumerate(files) for word in words_for([shown] if isinstance(shown, str) else shown, f"{picture}-{i}", folder)), *options], look
+    if picture in WALKS:
+        shown, words, look = WALKS[picture]
+        return ["walk", *words_for(shown, picture, folder), *words.split()], look
     if picture in CLOTHS:
         if not (folder / "fallen").exists():
             subprocess.run([command, "demo", "cloth", "--write", "fallen"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -190,7 +202,7 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *SWEEPS, *CLOTHS, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *SWEEPS, *WALKS, *CLOTHS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)

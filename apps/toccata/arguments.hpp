@@ -36,6 +36,7 @@ struct PosedArguments {
   std::string png;                   ///< a picture of it
   std::string size;                  ///< of the picture, "1200x800"; empty: that
   std::string look;                  ///< what the picture shows: the end of a link to the page
+  std::string up;                    ///< "y" or "z"; empty: as the files say
   std::string glb;                   ///< a GLB file
   std::string glb_option = "--glb";  ///< how it is named on the command line
   Format format = Format::table;

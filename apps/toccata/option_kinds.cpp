@@ -122,6 +122,11 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
   return {clearance, clearance_of};
 }
 
+CLI::Option* add_up(CLI::App& app, PosedArguments& arguments) {
+  return app.add_option("--up", arguments.up, "which axis points up (default: y for glTF, else z)")
+      ->check(CLI::IsMember({"y", "z"}));
+}
+
 CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names) {
   return add_file(app, names, arguments.glb,
                   "write the objects and what was found as a GLB file, for Blender (docs/reference/glb-file.md)",

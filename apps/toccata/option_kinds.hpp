@@ -63,6 +63,9 @@ std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& argume
 
 CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names = "--glb");
 
+/// Which axis points up.
+CLI::Option* add_up(CLI::App& app, PosedArguments& arguments);
+
 /// Of `look` and `size` where there is a picture.
 void add_picture(CLI::App& app, PosedArguments& arguments);
 

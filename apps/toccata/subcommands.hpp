@@ -25,6 +25,7 @@ Subcommand add_view(CLI::App& app);
 Subcommand add_distance(CLI::App& app);
 Subcommand add_ray(CLI::App& app);
 Subcommand add_sweep(CLI::App& app);
+Subcommand add_walk(CLI::App& app);
 Subcommand add_faces(CLI::App& app);
 Subcommand add_cost(CLI::App& app);
 Subcommand add_plot(CLI::App& app);
@@ -40,10 +41,10 @@ Subcommand add_crowd(CLI::App& app);
 Subcommand add_demo(CLI::App& app);
 
 /// As --help lists them.
-inline constexpr std::array all_subcommands = {add_check,     add_view,   add_distance, add_ray,     add_sweep,
-                                               add_faces,     add_cost,   add_plot,     add_nearest, add_minkowski,
-                                               add_subdivide, add_replay, add_pairs,    add_inspect, add_tree,
-                                               add_decompose, add_crowd,  add_demo};
+inline constexpr std::array all_subcommands = {add_check,     add_view,      add_distance, add_ray,     add_sweep,
+                                               add_walk,      add_faces,     add_cost,     add_plot,    add_nearest,
+                                               add_minkowski, add_subdivide, add_replay,   add_pairs,   add_inspect,
+                                               add_tree,      add_decompose, add_crowd,    add_demo};
 
 /// What people read of an answer.
 std::string table_of(const CheckInput& input, const CheckReport& report);
@@ -53,6 +54,7 @@ std::string table_of(const CheckInput& input, const DistanceReport& report);
 std::string table_of(const CheckInput& input, const DistancePosesReport& report);
 std::string table_of(const CheckInput& input, const RayReport& report);
 std::string table_of(const CheckInput& input, const SweepReport& report);
+std::string table_of(const CheckInput& input, const WalkReport& report);
 std::string table_of(const CheckInput& input, const FacesReport& report);
 std::string table_of(const CheckInput& input, const NearestReport& report);
 std::string table_of(const CheckInput& input, const InspectReport& report);
@@ -77,6 +79,7 @@ Summary summary_of(const DistanceReport& report);
 Summary summary_of(const DistancePosesReport& report);
 Summary summary_of(const RayReport& report);
 Summary summary_of(const SweepReport& report);
+Summary summary_of(const WalkReport& report);
 Summary summary_of(const FacesReport& report);
 Summary summary_of(const NearestReport& report);
 Summary summary_of(const InspectReport& report);

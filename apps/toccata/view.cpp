@@ -24,7 +24,6 @@ namespace toccata::command {
 namespace {
 
 struct ViewArguments : CheckArguments {
-  std::string up;             ///< "y" or "z"; empty: as the files say
   std::string hierarchy;      ///< the name of a bounding volume; empty: none is drawn
   std::string partition;      ///< the name of a partition of space; empty: none is drawn
   bool voronoi = false;       ///< the Voronoi regions of convex objects
@@ -75,7 +74,6 @@ ViewTarget page_target_of(const ViewArguments& arguments) {
         "file with --glb FILE.glb");
   ViewTarget target = target_of(arguments);
   ViewOptions& options = target.options;
-  if (!arguments.up.empty()) options.up = arguments.up == "y" ? UpAxis::y : UpAxis::z;
   options.hierarchy = kind_of_name(arguments.hierarchy, all_cost_volumes, "--hierarchy: there is no volume");
   options.partition =
       kind_of_name(arguments.partition, all_partition_kinds, "--partition: there is no partition of space");
@@ -201,6 +199,11 @@ int run_view(const ViewArguments& arguments) {
 
 bool is_json(const std::string& file) { return extension_of(file) == ".json"; }
 
+UpAxis up_of(const PosedArguments& arguments) {
+  if (!arguments.up.empty()) return arguments.up == "y" ? UpAxis::y : UpAxis::z;
+  return up_of(arguments.input.files);
+}
+
 UpAxis up_of(const std::vector<std::string>& files) {
   return !files.empty() && std::all_of(files.begin(), files.end(), is_gltf) ? UpAxis::y : UpAxis::z;
 }
@@ -217,7 +220,7 @@ ViewTarget target_of(const PosedArguments& arguments) {
   if (arguments.png.empty() && !(arguments.size.empty() && arguments.look.empty()))
     throw Error("--size and --look are of a picture: say where it shall be written with --png FILE.png");
   const std::vector<std::string>& files = arguments.input.files;
-  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(files), {}, {}}, {}};
+  ViewTarget target{arguments.html, arguments.glb, {title_of(files), up_of(arguments), {}, {}}, {}};
   if (arguments.png.empty()) return target;
   require_known_keys(arguments.look);
   target.picture = PictureTarget{arguments.png, arguments.look};
@@ -301,8 +304,7 @@ Subcommand add_view(CLI::App& app) {
                  "also how each pair of convex polytopes is found to be nearest by walking from region to region, "
                  "feature by feature");
   add_picture(*view, *arguments);
-  view->add_option("--up", arguments->up, "which axis points up (default: y for glTF, else z)")
-      ->check(CLI::IsMember({"y", "z"}));
+  add_up(*view, *arguments);
   add_threads(*view, arguments->threads, "page");
   add_save_case(*view, arguments->save_case, "also write what is shown as a case (docs/reference/case-file.md)");
   view->footer(with_name(

@@ -36,6 +36,9 @@ void require_view(const PosedArguments& arguments);
 /// Its name ends with ".json", however that is spelled.
 bool is_json(const std::string& file);
 
+/// As the option says, else as the files do.
+UpAxis up_of(const PosedArguments& arguments);
+
 /// Y for glTF and GLB, whose standard says so, when all files are such; else Z.
 UpAxis up_of(const std::vector<std::string>& files);
 

@@ -84,6 +84,19 @@ def sweeps(folder):
     yield asked(folder, "sweep", "gen:box", "gen:torus", "--motion", "motion.txt", "--stop-before", "0.125")
 
 
+def walks(folder):
+    """To a place and by motions, on meshes and on shapes."""
+    (folder / "steps.txt").write_text("0 0 -9\n1 0 0\n0 0 9\n")
+    (folder / "ground.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
+                                        '{"name": "ground", "shape": {"type": "half-space", "normal": [0, 0, 1]}},'
+                                        '{"name": "post", "shape": {"type": "cylinder", "radius": 0.5, "half_height": 3}, "pose": {"translation": [3, 0, 0]}}]}')
+    hindered = asked(folder, "walk", "ground.json", "--from", "0", "0", "0", "--to", "6", "0", "0")
+    assert hindered["end"] == "hindered", hindered
+    yield hindered
+    yield asked(folder, "walk", "ground.json", "--from", "0", "0", "1", "--motion", "steps.txt")
+    yield asked(folder, "walk", "gen:box", "--from", "0", "0", "0.5", "--to", "9", "0", "0", "--radius", "0.2", "--fall", "0.1")
+
+
 def faces(folder):
     """What lies in a box and in a ball, and in one where there is nothing."""
     yield asked(folder, "faces", "shapes.json", "scenes/a.obj", "--box", "-1", "-1", "-1", "1", "1", "1")
@@ -208,6 +221,7 @@ EVERY_REPORT = {
     "cost": costs,
     "ray": rays,
     "sweep": sweeps,
+    "walk": walks,
     "faces": faces,
     "nearest": nearest_points,
     "inspect": inspections,

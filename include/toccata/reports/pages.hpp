@@ -133,25 +133,38 @@ class WorldRecording {
     Vec3 middle_a, middle_b;  ///< of their boxes; not finite for half-spaces
     std::shared_ptr<const PairDetails> details{};
   };
+  /// Where a body stands on another one, or met it.
+  struct Touched {
+    Vec3 point;
+    Vec3 normal;  ///< unit
+  };
   struct Frame {
     std::vector<Place> placed;  ///< bodies that are new or have another pose than when they were last seen
     std::vector<Index> gone;    ///< that were there at the frame before
     std::vector<Pair> pairs;    ///< begin, persist and end
     std::string label{};        ///< as the page calls it; empty: by its number
+    std::vector<Touched> touched{};
   };
   /// Something beside the bodies that is there in all frames: triangles in the world, three corners each.
   struct Surface {
     std::string name;
     std::vector<Vec3> corners;
   };
+  /// The same of a way from point to point.
+  struct Path {
+    std::string name;
+    std::vector<Vec3> points;
+  };
 
   /// The bodies as they are and what the last step found: to be called after a step, before anything moves. Throws
   /// Error, and has changed nothing, when that is more than a page may hold.
-  void add(const World& world, const std::string& label = {});
-  /// Throws the same way.
+  void add(const World& world, const std::string& label = {}, std::vector<Touched> touched = {});
+  /// Both throw the same way.
   void add(Surface surface);
+  void add(Path path);
 
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
+  [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
   [[nodiscard]] std::span<const Body> objects() const { return objects_; }  ///< as they were first seen
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
 
@@ -168,6 +181,7 @@ class WorldRecording {
   std::vector<Body> objects_;
   std::vector<Frame> frames_;
   std::vector<Surface> surfaces_;
+  std::vector<Path> paths_;
   std::map<BodyId, Seen> seen_;
   std::vector<BodyId> there_;  ///< at the last frame
   std::size_t bytes_ = 0;
@@ -181,6 +195,11 @@ class WorldRecording {
 /// those that stand are, at even times and at the times of the first contacts, and the volumes that those that move
 /// pass (swept_volume). Throws Error as WorldRecording does.
 [[nodiscard]] WorldRecording record_sweep(std::span<const SceneInstance> models, const SweepReport& report);
+
+/// A walk (WalkReport) step by step, of a long one some two thousand of its steps: the walker on its way, what it
+/// stands on and met with the normals there, the objects that it is as near as twice its skin, and the whole path.
+/// Throws Error as WorldRecording does.
+[[nodiscard]] WorldRecording record_walk(std::span<const SceneInstance> models, const WalkReport& report);
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
 /// each frame as they begin, persist and end, with contact points and distances where the World tells

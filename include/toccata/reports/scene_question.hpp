@@ -16,6 +16,7 @@
 #include "toccata/reports/crowd_report.hpp"
 #include "toccata/reports/report.hpp"
 #include "toccata/shapes/scene.hpp"
+#include "toccata/world/character_mover.hpp"
 
 // What the command's subcommands ask about a scene, as values: they can be asked, written down with the scene
 // (case_file.hpp), and asked again. Lengths and points are in the world.
@@ -157,6 +158,45 @@ struct SubdivideReport {
 
 /// The mesh in the world, as an object of its own; there must be one.
 [[nodiscard]] SceneObject limit_object(const SubdivideReport& report);
+/// Where a character gets that walks among the objects, which rest: `walk`. Each step is one of `move_character`.
+struct WalkQuestion {
+  static const io::QuestionKind kind;
+  Shape walker = Capsule({0, 0, 0.4}, {0, 0, 1.4}, 0.4);
+  Vec3 from{};                ///< where the origin of the walker's frame is at first
+  std::vector<Vec3> motions;  ///< what it wants to go, step by step; none: it heads for `to`
+  Vec3 to{};                  ///< where that origin is wanted: within the skin, and a step's height along `up`
+  double stride = 0.1;        ///< how far it wants to go in a step on its way there, square to `up`; above 0
+  double fall = 0.01;  ///< how much farther than it last fell it wants to fall in each step in the air; 0 or more
+  std::size_t most_steps = 10'000;  ///< on its way to `to`
+  MoverOptions options{};
+};
+
+/// How a walk ends.
+enum class WalkOutcome {
+  done,       ///< all motions were taken
+  arrived,    ///< it is at `to`
+  hindered,   ///< it gets no nearer to `to`
+  fallen,     ///< it fell for thirty steps, and nothing is below it for a million strides
+  unfinished  ///< `most_steps` were too few
+};
+
+[[nodiscard]] const char* name_of(WalkOutcome end);  ///< "done", "arrived", "hindered", "fallen", "unfinished"
+
+/// A step, and what was wanted in it. Ids are places of objects in the scene.
+struct WalkedStep {
+  Vec3 motion;  ///< falling included
+  MoverStep<Index> step;
+};
+
+/// A program that walks a character itself may record its steps so: reports, pages and GLB files are made of them.
+struct WalkReport {
+  WalkQuestion question;
+  std::vector<WalkedStep> steps;
+  WalkOutcome end = WalkOutcome::done;
+};
+
+/// Where the walker is after so many steps, of which there are as many; after none, at the start.
+[[nodiscard]] Vec3 place_after(const WalkReport& report, std::size_t steps);
 
 struct DistanceReport {
   std::vector<ReportedDistance> pairs;
@@ -201,6 +241,7 @@ using SceneQuestions =
              QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
              QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>,
              QuestionAndReport<SubdivideQuestion, SubdivideReport>>;
+             QuestionAndReport<WalkQuestion, WalkReport>>;
 
 template <class... Listed>
 using QuestionVariant = std::variant<typename Listed::Question...>;
@@ -231,6 +272,7 @@ struct AskOptions {
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
 /// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep",
 /// "subdivide".
+/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep", "walk".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.

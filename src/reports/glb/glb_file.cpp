@@ -28,6 +28,7 @@ std::string scene_glb(const Scene& scene, std::span<const SceneInstance> models,
     return recording_glb(record_crowd_world(crowd->question), options);
   if (const auto* sweep = std::get_if<SweepReport>(&answer))
     return recording_glb(record_sweep(models, *sweep), options);
+  if (const auto* walk = std::get_if<WalkReport>(&answer)) return recording_glb(record_walk(models, *walk), options);
   const bool is_about_rest = options.hierarchy || options.partition || options.voronoi || options.voronoi_walk;
   if (is_about_rest && !io::queries_of(answer).empty())
     throw Error(

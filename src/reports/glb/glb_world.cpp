@@ -20,6 +20,7 @@ const std::array pairs_paints{io::GlbPaint{"pairs begun", 0xd55e00}, io::GlbPain
 constexpr std::array pairs_names{"begin", "persist", "end"};
 const io::GlbPaint points_paint{"contact points", 0x000000};
 const io::GlbPaint surfaces_paint{"surfaces", 0x56b4e9, 0.35};
+const io::GlbPaint paths_paint{"paths", 0x0072b2};
 const io::GlbPaint lengths_paint{"depths, distances and rays", 0xcc79a7};
 
 std::vector<std::vector<io::GlbKey>> keys_of(const WorldRecording& recording) {
@@ -48,6 +49,7 @@ struct DrawnPairs {
   std::vector<Vec3> points, distances;
 
   explicit DrawnPairs(const WorldFrame& frame) {
+    for (const WorldRecording::Touched& touched : frame.touched) points.push_back(touched.point);
     for (const WorldRecording::Pair& pair : frame.pairs) {
       std::vector<Vec3>& ends = middles[static_cast<std::size_t>(pair.change)];
       ends.insert(ends.end(), {pair.middle_a, pair.middle_b});
@@ -92,6 +94,21 @@ void add_surfaces(io::GlbScene& glb, const WorldRecording& recording) {
   if (!nodes.empty()) glb.add_group("surfaces", nodes);
 }
 
+void add_paths(io::GlbScene& glb, const WorldRecording& recording) {
+  std::vector<std::size_t> nodes;
+  for (const WorldRecording::Path& path : recording.paths()) {
+    std::vector<Vec3> ends;
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+      ends.insert(ends.end(), {path.points[i], path.points[i + 1]});
+    if (ends.empty()) continue;
+    const io::GlbFrame frame = io::GlbFrame::around(ends);
+    Json parts = Json::array();
+    parts.push_back(glb.part(io::joined_part(ends, frame), io::GlbMode::lines, paths_paint));
+    nodes.push_back(glb.add_node(path.name, {}, frame, {{"mesh", glb.add_mesh(path.name, std::move(parts))}}));
+  }
+  if (!nodes.empty()) glb.add_group("paths", nodes);
+}
+
 }  // namespace
 
 std::string recording_glb(const WorldRecording& recording, const ViewOptions& options) {
@@ -104,6 +121,7 @@ std::string recording_glb(const WorldRecording& recording, const ViewOptions& op
   io::add_moving_objects(glb, keys, are_in_pairs(recording));
   add_steps(glb, recording);
   add_surfaces(glb, recording);
+  add_paths(glb, recording);
   return glb.file(options, bodies.scene.unit);
 }
 

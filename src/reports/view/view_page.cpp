@@ -105,6 +105,7 @@ std::string view_page(const Scene& scene, std::span<const SceneInstance> models,
   if (const auto* crowd = std::get_if<CrowdWorldReport>(&answer))
     return world_page(record_crowd_world(crowd->question), options);
   if (const auto* sweep = std::get_if<SweepReport>(&answer)) return world_page(record_sweep(models, *sweep), options);
+  if (const auto* walk = std::get_if<WalkReport>(&answer)) return world_page(record_walk(models, *walk), options);
   const io::DrawnScene drawn = io::drawn_scene(scene, models, answer);
   return page_of(drawn.scene, drawn.models, answer, options, warnings);
 }

@@ -81,6 +81,13 @@ class MomentLayer {
       }
     numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
   }
+  /// A point and a direction, which is shown as it is.
+  void add_arrow(const io::DisplayFrame& frame, const Vec3& point, const Vec3& direction) {
+    const std::size_t before = numbers_.size();
+    add(frame, {point});
+    if (numbers_.size() == before) return;
+    for (int axis = 0; axis < 3; ++axis) numbers_.push_back(static_cast<float>(direction[axis]));
+  }
   void end_moment() {
     const std::size_t end = numbers_.size() / width_;
     moments_.push_back({first_, end - first_});
@@ -105,11 +112,31 @@ class MomentLayer {
   Json moments_ = Json::array();
 };
 
+/// What is there at all moments.
+void add_lasting(const WorldRecording& recording, const io::DisplayFrame& frame, Json& written, io::ViewData& data) {
+  const std::size_t moments = recording.frames().size();
+  for (const WorldRecording::Surface& surface : recording.surfaces()) {
+    MomentLayer layer("triangles", "surface", surface.name, 9);
+    for (std::size_t i = 0; i + 2 < surface.corners.size(); i += 3)
+      layer.add(frame, {surface.corners[i], surface.corners[i + 1], surface.corners[i + 2]});
+    layer.end_moments(moments);
+    layer.write(written, data);
+  }
+  for (const WorldRecording::Path& path : recording.paths()) {
+    MomentLayer layer("segments", "path", path.name, 6);
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) layer.add(frame, {path.points[i], path.points[i + 1]});
+    layer.end_moments(moments);
+    layer.write(written, data);
+  }
+}
+
 Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, io::ViewData& data) {
-  std::array<MomentLayer, 5> layers{
-      MomentLayer{"segments", "begin", "Pairs that begin", 6},
-      MomentLayer{"segments", "persist", "Pairs that persist", 6}, MomentLayer{"segments", "end", "Pairs that end", 6},
-      MomentLayer{"points", "contact", "Contact points", 3}, MomentLayer{"segments", "distance", "Distance", 6}};
+  std::array<MomentLayer, 6> layers{MomentLayer{"segments", "begin", "Pairs that begin", 6},
+                                    MomentLayer{"segments", "persist", "Pairs that persist", 6},
+                                    MomentLayer{"segments", "end", "Pairs that end", 6},
+                                    MomentLayer{"points", "contact", "Contact points", 3},
+                                    MomentLayer{"segments", "distance", "Distance", 6},
+                                    MomentLayer{"arrows", "normal", "Normals", 6}};
   for (const RecordedFrame& one : recording.frames()) {
     for (const RecordedPair& pair : one.pairs) {
       layers[static_cast<std::size_t>(pair.change)].add(frame, {pair.middle_a, pair.middle_b});
@@ -120,17 +147,15 @@ Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, i
       if (const auto& distance = pair.details->distance; distance && distance->upper > 0)
         layers[4].add(frame, {distance->on_a, distance->on_b});
     }
+    for (const WorldRecording::Touched& touched : one.touched) {
+      layers[3].add(frame, {touched.point});
+      layers[5].add_arrow(frame, touched.point, touched.normal);
+    }
     for (MomentLayer& layer : layers) layer.end_moment();
   }
   Json written = Json::array();
   for (MomentLayer& layer : layers) layer.write(written, data);
-  for (const WorldRecording::Surface& surface : recording.surfaces()) {
-    MomentLayer layer("triangles", "surface", surface.name, 9);
-    for (std::size_t i = 0; i + 2 < surface.corners.size(); i += 3)
-      layer.add(frame, {surface.corners[i], surface.corners[i + 1], surface.corners[i + 2]});
-    layer.end_moments(recording.frames().size());
-    layer.write(written, data);
-  }
+  add_lasting(recording, frame, written, data);
   return written;
 }
 

@@ -12,7 +12,7 @@ namespace {
 Vec3 centre_of_box(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
 std::size_t bytes_of(const WorldRecording::Frame& frame) {
-  return 24 * (frame.placed.size() + frame.gone.size()) + 150 * frame.pairs.size();
+  return 24 * (frame.placed.size() + frame.gone.size()) + 150 * frame.pairs.size() + 36 * frame.touched.size();
 }
 
 }  // namespace
@@ -55,9 +55,10 @@ void WorldRecording::add_pairs(std::span<const PairReport> pairs, Change change,
   }
 }
 
-void WorldRecording::add(const World& world, const std::string& label) {
+void WorldRecording::add(const World& world, const std::string& label, std::vector<Touched> touched) {
   Next next;
   next.frame.label = label;
+  next.frame.touched = std::move(touched);
   add_bodies(world, next);
   const WorldStep& step = world.last_step();
   add_pairs(step.begin, Change::begin, next);
@@ -82,6 +83,15 @@ void WorldRecording::add(Surface surface) {
     throw Error(fmt::format("the {} triangles of '{}' are more than a page of {:.0f} MB has room for",
                             surface.corners.size() / 3, surface.name, static_cast<double>(most_bytes) / 1e6));
   surfaces_.push_back(std::move(surface));
+  bytes_ = bytes;
+}
+
+void WorldRecording::add(Path path) {
+  const std::size_t bytes = bytes_ + 24 * path.points.size();
+  if (bytes > most_bytes)
+    throw Error(fmt::format("the {} points of '{}' are more than a page of {:.0f} MB has room for", path.points.size(),
+                            path.name, static_cast<double>(most_bytes) / 1e6));
+  paths_.push_back(std::move(path));
   bytes_ = bytes;
 }
 
