@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "math/constants.hpp"
+#include "narrow/near.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
@@ -17,12 +17,14 @@ enum class BodyNearness : std::uint8_t {
   near,
   contact,
   passed,  ///< they have met on the way, and are neither near nor in contact now
-  beyond,  ///< apart, and farther than was asked
 };
 
 /// They are a pair.
-[[nodiscard]] constexpr bool is_told(BodyNearness nearness) {
-  return nearness != BodyNearness::apart && nearness != BodyNearness::beyond;
+[[nodiscard]] constexpr bool is_told(BodyNearness nearness) { return nearness != BodyNearness::apart; }
+
+/// Besides that two bodies are a pair.
+[[nodiscard]] constexpr bool tells_details(const WorldOptions& options) {
+  return options.relation || options.distance || options.contacts || options.manifold || options.penetration;
 }
 
 /// Two bodies whose boxes overlap, and what was found out about them.
@@ -30,14 +32,19 @@ struct DecidedPair {
   IndexPair pair;
   BodyNearness nearness = BodyNearness::apart;
   std::shared_ptr<const PairDetails> details{};
+  std::uint64_t sure_until = 0;  ///< with space_time, while both fly: before this step nothing else can be told of them
 };
 
-/// A pair to be decided, and how near counts.
+/// A pair to be decided, how near counts, and how long the answer lasts.
 struct UndecidedPair {
   std::size_t number = 0;  ///< in the list of pairs
   double margin = 0;
-  double beyond = infinity;  ///< not less than the margin: nothing more is wanted of the two if they are farther apart
-  int steps = 1;             ///< after which they are looked at again if they are
+  // How long the answer lasts, with space_time:
+  double enough = 0;           ///< what is found need not be more; 0: nothing is wanted
+  bool is_told_until = false;  ///< wanted also of two that are in contact or near
+  /// Found: the answer is the same while they do not come nearer to each other by this along the direction, which is
+  /// from A to B; with a direction of zero, while no points of theirs move against each other by so much.
+  DirectedGap lasts{};
 };
 
 /// Decides pairs of bodies. What it keeps is memory to work in.
@@ -48,12 +55,12 @@ class NarrowPhase {
   NarrowPhase& operator=(const NarrowPhase&) = delete;
   ~NarrowPhase() = default;
 
-  /// Fills in pairs[undecided.number] for each of them. Bodies are by index.
-  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<const UndecidedPair> undecided,
+  /// Fills in pairs[undecided.number] for each of them, and what lasts. Bodies are by index.
+  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<UndecidedPair> undecided,
               std::span<DecidedPair> pairs);
 
  private:
-  void decide(const Body& a, const Body& b, const UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
+  void decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
   /// Of two bodies of which one at least has been on its way.
   void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
                          Workspace& workspace) const;

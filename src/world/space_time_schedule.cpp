@@ -202,16 +202,24 @@ SpaceTimeMotion SpaceTimeSchedule::motion_now(Index index) const {
 }
 
 void SpaceTimeSchedule::look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b) {
-  const double time =
-      earliest_meeting(SpaceTimeBox{reached_a, motion_now(pair.first)}, {reached_b, motion_now(pair.second)});
-  look_again(pair, time < steps_left() ? std::max(1, static_cast<int>(std::ceil(time))) : steps_left());
+  look_again(pair, whole_steps(earliest_meeting(SpaceTimeBox{reached_a, motion_now(pair.first)},
+                                                {reached_b, motion_now(pair.second)})));
+}
+
+int SpaceTimeSchedule::whole_steps(double time) const {
+  return time < steps_left() ? std::max(1, static_cast<int>(std::ceil(time))) : steps_left();
+}
+
+int SpaceTimeSchedule::steps_until(const IndexPair& pair, const DirectedGap& gap) const {
+  if (!(gap.length > 0)) return 1;
+  return whole_steps(earliest_meeting(gap.length, gap.direction, motion_now(pair.first), motion_now(pair.second)));
 }
 
 double SpaceTimeSchedule::closing_in(const IndexPair& pair, int steps) const {
   const double last = steps - 1;
   const SpaceTimeMotion a = motion_now(pair.first), b = motion_now(pair.second);
   const double errors = greatest_error(a, last) + greatest_error(b, last);
-  return (length(b.velocity - a.velocity) * last + errors) * (1 + 0x1p-40);
+  return (length(b.velocity - a.velocity) * last + errors) * (1 + 0x1p-20);
 }
 
 void SpaceTimeSchedule::look_again(const IndexPair& pair, int steps) {

@@ -7,6 +7,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
+#include "narrow/near.hpp"
 #include "toccata/world/body.hpp"
 #include "world/bodies_on_the_way.hpp"
 #include "world/flight.hpp"
@@ -49,17 +50,20 @@ class SpaceTimeSchedule {
   // Of a pair that has been looked at, both of which fly:
   /// They are apart, as boxes that hold what reaches to the other: looked at again when these can meet.
   void look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b);
-  /// If they are farther apart than what is returned, they stay so for that many steps.
+  /// How far the points of the two move against each other until so many steps from now, and a little more.
   [[nodiscard]] double closing_in(const IndexPair& pair, int steps) const;
+  /// After how many steps what lasts while a gap is open (earliest_meeting) has to be looked at again: 1 or more, and
+  /// no more than are left.
+  [[nodiscard]] int steps_until(const IndexPair& pair, const DirectedGap& gap) const;
   void look_again(const IndexPair& pair, int steps);
+  [[nodiscard]] std::uint64_t step_after(int steps) const { return now_ + static_cast<std::uint64_t>(steps); }
+  /// What was sure of a pair until that step in this stretch is so now: neither has landed.
+  [[nodiscard]] bool is_sure(const IndexPair& pair, std::uint64_t until) const { return now_ < until && are_flying(pair); }
   /// How many steps there are from this one to the end of the stretch.
   [[nodiscard]] int steps_left() const { return static_cast<int>(end_ - now_); }
   [[nodiscard]] std::size_t count_flying() const { return count_flying_; }
   /// How many bodies were tested in this step whether they left their bounds.
   [[nodiscard]] std::size_t count_tested() const { return count_flying_ == 0 ? 0 : moving_.size(); }
-  /// Whether the step is one of an odd number.
-  [[nodiscard]] bool is_odd() const { return now_ % 2 == 1; }
-
   /// Whether what is done now says something about stretches: in one, and just before it.
   [[nodiscard]] bool counts_work() const { return now_ < end_ || now_ + 4 >= start_; }
   /// What the step has done.
@@ -87,6 +91,7 @@ class SpaceTimeSchedule {
   void break_off();
   [[nodiscard]] bool is_kept(Index index, const Body& body) const;
   [[nodiscard]] SpaceTimeMotion motion_now(Index index) const;
+  [[nodiscard]] int whole_steps(double time) const;
 
   int threads_;
   FlightPace pace_;

@@ -40,6 +40,14 @@ struct SpaceTimeBox {
   SpaceTimeMotion motion{};
 };
 
+/// A time before which two bodies do not meet that a gap parts now, proved: along the direction, from the first to the
+/// second and of any length, all of the second is farther by `gap` than all of the first. A direction of zero: a time
+/// before which no two points, one of each, have moved against each other by `gap`. Whatever ends only then lasts that
+/// long: that two bodies are so far apart in any direction, or, of convex ones, that they overlap so deep. +∞ where it
+/// never comes. Throws Error as below, and when the gap or the direction is not finite, or the gap negative.
+[[nodiscard]] double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a,
+                                      const SpaceTimeMotion& b);
+
 /// A time before which the two have no point in common, proved: at most the time at which their horns first touch, 0
 /// where they touch now, and +∞ where it is proved that they never do. Of balls it is searched for in at most 64 steps,
 /// and is mostly that time but for 2⁻³⁰ of it; where the horns barely graze or pass each other it may be earlier. Of
