@@ -58,20 +58,39 @@ double beyond_margin(double length, double margin) {
 }
 
 /// Before they could have moved against each other by this, two that are near stay so and do not touch.
-double near_until(const Distance& apart, double margin) { return std::min(apart.lower, beyond_margin(margin, apart.upper)); }
-
-/// How deep two that touch overlap, as far as that is quickly known.
-double depth_of(const PosedPolytope& a, const PosedPolytope& b, SimplexCache& workspace) {
-  return a.solid() && b.solid() ? penetration(a, b, &workspace).lower : 0;
+double near_until(const Distance& apart, double margin) {
+  return std::min(apart.lower, beyond_margin(margin, apart.upper));
 }
 
-BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, UndecidedPair& wanted,
+AnswerLasts while_near(double way) { return {.radius = way}; }
+
+/// How long two that meet do so. The difference A − B holds a ball around c, and the origin. If it holds q = −λ c too,
+/// as it does if A meets B moved by q, it holds the ball around the origin whose radius is the share s = λ / (1 + λ) of
+/// the first: and as A and B move, that of the ball around s c + (1 − s) q as they have gone, of which the share s goes
+/// with the centres of the bodies, whatever they turn. Roundings are covered by the position errors of flights.
+AnswerLasts while_held(const PosedPolytope& a, const Body& b, const UndecidedPair& wanted, SimplexCache& workspace) {
+  const auto& [centre, radius] = wanted.inner;
+  const double left = radius - length(centre);
+  if (!(radius > 0) || left >= std::min(0.5 * wanted.enough, 0.3 * radius))
+    return {.offset = centre, .radius = radius, .turning = 0};
+  for (const double share : {0.5, 0.15}) {
+    const double held = std::min(share, wanted.enough / radius);
+    std::optional<PosedPolytope> moved;
+    const Pose pose{b.pose.linear, b.pose.offset - held / (1 - held) * centre};
+    std::visit(PlaceConvex{pose, moved}, b.model.shape());
+    if (overlap(a, *moved, &workspace)) return {.radius = held * radius, .turning = 1 - held};
+  }
+  return left > 0 ? AnswerLasts{.offset = centre, .radius = radius, .turning = 0} : AnswerLasts{};
+}
+
+/// What `within_distance` and `overlap` answer, of two convex ones.
+BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const Body& body_b, UndecidedPair& wanted,
                          SimplexCache& workspace) {
   const double margin = wanted.margin;
   if (wanted.enough > 0) {
     const DirectedGap gap = certain_gap(a, b, margin + wanted.enough, &workspace);
     if (gap.length > margin) {
-      wanted.lasts = {beyond_margin(gap.length, margin), gap.direction};
+      wanted.lasts.gap = {beyond_margin(gap.length, margin), gap.direction};
       return BodyNearness::apart;
     }
   }
@@ -79,8 +98,9 @@ BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, Undecid
     return BodyNearness::apart;
   const bool in_contact = overlap(a, b, &workspace);
   if (!in_contact && margin == 0) return BodyNearness::apart;
-  if (wanted.is_told_until)
-    wanted.lasts = {in_contact ? depth_of(a, b, workspace) : near_until(distance(a, b, &workspace), margin), {}};
+  if (wanted.of_told)
+    wanted.lasts = in_contact ? while_held(a, body_b, wanted, workspace)
+                              : while_near(near_until(distance(a, b, &workspace), margin));
   return in_contact ? BodyNearness::contact : BodyNearness::near;
 }
 
@@ -89,22 +109,22 @@ BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Wo
   std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
-  if (placed_b) return nearness_of(*placed_a, *placed_b, wanted, cleared(workspace).scratch().convex);
+  if (placed_b) return nearness_of(*placed_a, *placed_b, b, wanted, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
   const double margin = wanted.margin;
   std::optional<Distance> known;
   if (wanted.enough > 0) {
     known = distance_within(a.model, b.model, (margin + wanted.enough) * (1 + 0x1p-50), query, cleared(workspace));
     if (!known) {
-      wanted.lasts.length = wanted.enough;
+      wanted.lasts = while_near(wanted.enough);
       return BodyNearness::apart;
     }
   }
   const bool is_far = margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace));
   if (!is_far && overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
   const bool is_near = !is_far && margin > 0;
-  if (known && (!is_near || wanted.is_told_until))
-    wanted.lasts.length = is_near ? near_until(*known, margin) : beyond_margin(known->lower, margin);
+  if (known && (!is_near || wanted.of_told))
+    wanted.lasts = while_near(is_near ? near_until(*known, margin) : beyond_margin(known->lower, margin));
   return is_near ? BodyNearness::near : BodyNearness::apart;
 }
 

@@ -6,6 +6,7 @@
 
 #include "narrow/near.hpp"
 #include "query/workspace_pool.hpp"
+#include "toccata/bounds/ball.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
 #include "world/bodies_on_the_way.hpp"
@@ -35,16 +36,25 @@ struct DecidedPair {
   std::uint64_t sure_until = 0;  ///< with space_time, while both fly: before this step nothing else can be told of them
 };
 
+/// For how long a pair is as it was found, of which it was said how its bodies go on.
+struct AnswerLasts {
+  DirectedGap gap{};  ///< of two that are apart: until it is closed
+  /// Else while offset + w is within the radius, where w is how far any point of A has gone against any of B, of which
+  /// only this share of how far they turn counts. 0: until the next step.
+  Vec3 offset{};
+  double radius = 0;
+  double turning = 1;
+};
+
 /// A pair to be decided, how near counts, and how long the answer lasts.
 struct UndecidedPair {
   std::size_t number = 0;  ///< in the list of pairs
   double margin = 0;
   // How long the answer lasts, with space_time:
-  double enough = 0;           ///< what is found need not be more; 0: nothing is wanted
-  bool is_told_until = false;  ///< wanted also of two that are in contact or near
-  /// Found: the answer is the same while they do not come nearer to each other by this along the direction, which is
-  /// from A to B; with a direction of zero, while no points of theirs move against each other by so much.
-  DirectedGap lasts{};
+  double enough = 0;     ///< gaps and ways need not be longer; 0: nothing is wanted
+  bool of_told = false;  ///< wanted also of two that are in contact or near
+  Ball inner{{}, 0};     ///< within the difference A − B; of radius 0 where none is known
+  AnswerLasts lasts{};   ///< found
 };
 
 /// Decides pairs of bodies. What it keeps is memory to work in.

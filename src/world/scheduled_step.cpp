@@ -48,9 +48,11 @@ void World::State::want_lasting(const IndexPair& pair, UndecidedPair& wanted) co
   constexpr int few = 4;
   if (!schedule_->are_flying(pair) || schedule_->steps_left() < 2) return;
   wanted.enough = schedule_->closing_in(pair, schedule_->steps_left());
-  // Of two that stay a pair a depth or a distance is asked for besides: it costs as much as some steps.
-  const double most = std::max(greatest_depth(pair), 0.5 * wanted.margin);
-  wanted.is_told_until = !tells_details(options_) && schedule_->steps_left() > few && most > schedule_->closing_in(pair, few);
+  if (tells_details(options_) || schedule_->steps_left() <= few) return;
+  wanted.inner = schedule_->inner_difference(pair, bodies_);
+  // Of two that stay a pair this is asked for besides, and costs as much as some steps.
+  const double most = std::max(std::min(greatest_depth(pair), wanted.inner.radius), 0.5 * wanted.margin);
+  wanted.of_told = most > schedule_->closing_in(pair, few);
 }
 
 void World::State::end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided) {

@@ -7,11 +7,11 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
-#include "narrow/near.hpp"
 #include "toccata/world/body.hpp"
 #include "world/bodies_on_the_way.hpp"
 #include "world/flight.hpp"
 #include "world/flight_pace.hpp"
+#include "world/narrow_phase.hpp"
 
 namespace toccata {
 
@@ -52,13 +52,16 @@ class SpaceTimeSchedule {
   void look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b);
   /// How far the points of the two move against each other until so many steps from now, and a little more.
   [[nodiscard]] double closing_in(const IndexPair& pair, int steps) const;
-  /// After how many steps what lasts while a gap is open (earliest_meeting) has to be looked at again: 1 or more, and
-  /// no more than are left.
-  [[nodiscard]] int steps_until(const IndexPair& pair, const DirectedGap& gap) const;
+  /// A ball within the difference of the first and the second, of radius 0 where none is known.
+  [[nodiscard]] Ball inner_difference(const IndexPair& pair, std::span<const Body> bodies) const;
+  /// After how many steps the pair has to be looked at again: 1 or more, and no more than are left.
+  [[nodiscard]] int steps_until(const IndexPair& pair, const AnswerLasts& lasts) const;
   void look_again(const IndexPair& pair, int steps);
   [[nodiscard]] std::uint64_t step_after(int steps) const { return now_ + static_cast<std::uint64_t>(steps); }
   /// What was sure of a pair until that step in this stretch is so now: neither has landed.
-  [[nodiscard]] bool is_sure(const IndexPair& pair, std::uint64_t until) const { return now_ < until && are_flying(pair); }
+  [[nodiscard]] bool is_sure(const IndexPair& pair, std::uint64_t until) const {
+    return now_ < until && are_flying(pair);
+  }
   /// How many steps there are from this one to the end of the stretch.
   [[nodiscard]] int steps_left() const { return static_cast<int>(end_ - now_); }
   [[nodiscard]] std::size_t count_flying() const { return count_flying_; }
@@ -89,8 +92,15 @@ class SpaceTimeSchedule {
   void plan(const StepWork& work);
   void land_all();
   void break_off();
-  [[nodiscard]] bool is_kept(Index index, const Body& body) const;
-  [[nodiscard]] SpaceTimeMotion motion_now(Index index) const;
+  /// Whether it has gone on as it was said; to be asked once in a step.
+  [[nodiscard]] bool goes_on(Index index, const Body& body);
+  /// From now on, with this speed added to the errors.
+  [[nodiscard]] SpaceTimeMotion motion_now(Index index, double turning_speed) const;
+  [[nodiscard]] SpaceTimeMotion motion_now(Index index) const {
+    return motion_now(index, flights_[index].turning_speed());
+  }
+  [[nodiscard]] int steps_apart(const IndexPair& pair, const DirectedGap& gap) const;
+  [[nodiscard]] int steps_held(const IndexPair& pair, const AnswerLasts& lasts) const;
   [[nodiscard]] int whole_steps(double time) const;
 
   int threads_;

@@ -41,10 +41,8 @@ struct SpaceTimeBox {
 };
 
 /// A time before which two bodies do not meet that a gap parts now, proved: along the direction, from the first to the
-/// second and of any length, all of the second is farther by `gap` than all of the first. A direction of zero: a time
-/// before which no two points, one of each, have moved against each other by `gap`. Whatever ends only then lasts that
-/// long: that two bodies are so far apart in any direction, or, of convex ones, that they overlap so deep. +∞ where it
-/// never comes. Throws Error as below, and when the gap or the direction is not finite, or the gap negative.
+/// second and of any length but 0, all of the second is farther by `gap` than all of the first. +∞ where the gap never
+/// closes. Throws Error as below, and when the gap or the direction is not finite, or the gap negative.
 [[nodiscard]] double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a,
                                       const SpaceTimeMotion& b);
 
