@@ -29,6 +29,11 @@ double norm_of(const Mat3& matrix) {
   return std::sqrt(sum);
 }
 
+/// Poses from floats are off by 2⁻²².
+constexpr double most_deformed = 0x1p-20;
+
+bool is_nearly_rotation(const Mat3& linear) { return norm_of(minus(transpose(linear) * linear, {})) <= most_deformed; }
+
 double magnitude_of(const Aabb& box) {
   return largest_magnitude(magnitudes(box.lower)) + largest_magnitude(magnitudes(box.upper));
 }
@@ -105,12 +110,11 @@ TurningParts turning_parts(const Body& body) {
 
 Sight sight_of(const TurningParts& parts, const Pose& pose) { return {transform(pose, parts.centre), pose.linear}; }
 
-/// A matrix R takes a ball to an ellipsoid whose least half axis is at least 1 − ‖RᵀR − I‖ of the radius. Roundings are
-/// covered by the position errors of flights.
+/// A matrix R takes a ball to an ellipsoid whose least half axis is at least 1 − ‖RᵀR − I‖ of the radius. Other
+/// roundings are covered by the position errors of flights.
 Ball inner_ball(const TurningParts& parts, const Pose& pose) {
-  const double off = norm_of(minus(transpose(pose.linear) * pose.linear, {}));
-  if (parts.inner == 0 || !(off <= 0x1p-10)) return {{}, 0};
-  return {transform(pose, parts.centre), std::max(0.0, parts.inner - (off + 0x1p-40) * parts.magnitude)};
+  if (parts.inner == 0 || !is_nearly_rotation(pose.linear)) return {{}, 0};
+  return {transform(pose, parts.centre), std::max(0.0, parts.inner - 2 * most_deformed * parts.magnitude)};
 }
 
 double Flight::turning_speed(const TurningParts& parts, const Vec3& along) const {
@@ -122,6 +126,7 @@ double Flight::turning_speed(const TurningParts& parts, const Vec3& along) const
 bool Flight::goes_on(const TurningParts& parts, const Sight& now, double step) {
   if (is_at_rest_ && now == last_) return true;
   if (!has_small_entries(now.linear) || std::isinf(parts.radius)) return false;
+  if (is_rigid_ && now.linear != last_.linear && !is_nearly_rotation(now.linear)) return false;
   const double moved = length((now.centre - last_.centre) - motion_.velocity);
   const double turned = norm_of(minus(minus(now.linear, last_.linear), turning_));
   const double off = (moved + turned * parts.radius) * (1 + 0x1p-40) + 0x1p-46 * magnitude_;
@@ -136,6 +141,7 @@ std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, c
   flight.is_at_rest_ = sights.now == sights.before && sights.now == sights.earlier;
   if (std::isinf(parts.magnitude)) return flight.is_at_rest_ ? std::optional(flight) : std::nullopt;
   if (!has_small_entries(sights.now.linear)) return std::nullopt;
+  flight.is_rigid_ = parts.inner > 0 && is_nearly_rotation(sights.now.linear);
   const Expectation expected = flight.is_at_rest_ ? Expectation{} : expectation_of(body, parts, sights, steps);
   flight.motion_ = expected.motion;
   flight.turning_ = expected.turning;

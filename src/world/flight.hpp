@@ -36,7 +36,8 @@ struct LastSights {
 
 [[nodiscard]] Sight sight_of(const TurningParts& parts, const Pose& pose);
 
-/// Within the body at its pose, of radius 0 where no ball is known to be.
+/// Within the body at its pose, which is a rotation but for 2⁻²⁰, and at every other such pose around where the centre
+/// is then. Of radius 0 where no ball is known to be.
 [[nodiscard]] Ball inner_ball(const TurningParts& parts, const Pose& pose);
 
 /// How a body is expected to move for some steps from one on. A step is the unit of time.
@@ -58,6 +59,8 @@ class Flight {
 
   /// Nobody has moved it.
   [[nodiscard]] bool is_at_rest() const { return is_at_rest_; }
+  /// All its poses are rotations but for 2⁻²⁰: its inner ball stays as it is.
+  [[nodiscard]] bool is_rigid() const { return is_rigid_; }
   /// Of the centre, and of all points but for how the body turns.
   [[nodiscard]] const SpaceTimeMotion& motion() const { return motion_; }
   /// How much farther than that a point may go in a step, turning evenly.
@@ -77,6 +80,7 @@ class Flight {
   double turning_speed_ = 0;
   double magnitude_ = 0;
   bool is_at_rest_ = false;
+  bool is_rigid_ = false;
 };
 
 /// As it goes on from where it is now and was at the two steps before, for so many steps. What the body promises counts

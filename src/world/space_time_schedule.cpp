@@ -215,6 +215,7 @@ int SpaceTimeSchedule::whole_steps(double time) const {
 }
 
 Ball SpaceTimeSchedule::inner_difference(const IndexPair& pair, std::span<const Body> bodies) const {
+  if (!flights_[pair.first].is_rigid() || !flights_[pair.second].is_rigid()) return {{}, 0};
   const Ball a = inner_ball(parts_[pair.first], bodies[pair.first].pose);
   const Ball b = inner_ball(parts_[pair.second], bodies[pair.second].pose);
   return {a.centre - b.centre, a.radius > 0 && b.radius > 0 ? a.radius + b.radius : 0};

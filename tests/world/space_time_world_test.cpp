@@ -144,6 +144,23 @@ TEST(SpaceTime, AsksAFourthOrLessWherePairsStayInContact) {
   EXPECT_GT(twins.asked_plain(), 4 * twins.asked_scheduled());
 }
 
+TEST(SpaceTime, WhatShrinksAwayFromWhatItIsDeepInIsFoundToLeave) {
+  Twins twins({});
+  twins.add(Body{Box({1, 1, 1})});
+  twins.add(Body{Box({1, 1, 1}), Pose::translation(1.2, 0, 0)});
+  for (int step = 1; step <= 60; ++step) {
+    twins.both([&](World& world, const std::vector<BodyId>& ids) {
+      const double scale = 1 - 0.01 * step;
+      const Mat3 linear{{Vec3{scale, 0, 0}, Vec3{0, scale, 0}, Vec3{0, 0, scale}}};
+      world.move(ids[0], {linear, {}});
+      world.move(ids[1], {linear, {1.2, 0, 0}});
+    });
+    twins.step();
+  }
+  EXPECT_GT(twins.events(), 0);
+  EXPECT_TRUE(twins.scheduled().pairs().empty());
+}
+
 TEST(SpaceTime, APairThatIsOnlyNearIsToldUntilItIsNotOrMeets) {
   for (const double speed : {0.05, -0.05}) {
     Twins twins({});
