@@ -174,7 +174,9 @@ TEST(SpaceTime, APairThatIsOnlyNearIsToldUntilItIsNotOrMeets) {
       });
       twins.step();
     }
-    if (speed < 0) EXPECT_GT(twins.asked_plain(), 2 * twins.asked_scheduled());
+    if (speed < 0) {
+      EXPECT_GT(twins.asked_plain(), 2 * twins.asked_scheduled());
+    }
     EXPECT_EQ(twins.scheduled().pairs().size(), speed > 0 ? 0 : 1);
   }
 }
