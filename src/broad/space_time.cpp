@@ -104,6 +104,20 @@ SpaceTimeMotion seen_later(const SpaceTimeMotion& motion, double time) {
           (motion.velocity_error + in_time(time, motion.max_acceleration)) * (1 + 0x1p-51), motion.max_acceleration};
 }
 
+double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a, const SpaceTimeMotion& b) {
+  require_motion(a);
+  require_motion(b);
+  if (!(gap >= 0 && gap <= greatest_double && is_finite(direction)))
+    throw Error(
+        fmt::format("a gap in space and time is {}: it has to be finite and 0 or more, and its direction finite", gap));
+  const Vec3 velocity = a.velocity - b.velocity, along = unit_or_zero(direction);
+  const double speed = sum_of_magnitudes(velocity);
+  if (!(speed < 0x1p500)) return 0;
+  const double left = gap * (1 - 0x1p-48) - (a.position_error + b.position_error);
+  // The direction is off by 8 u of itself, the dot product by 4 u of |V|.
+  return closing_gap(left, dot(along, velocity), speed > 0 ? 0x1p-48 * speed + 0x1p-500 : 0, a, b).open_until();
+}
+
 double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b) {
   require_motion(a.motion);
   require_motion(b.motion);

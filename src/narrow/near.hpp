@@ -60,6 +60,16 @@ struct Nearby {
 [[nodiscard]] bool certainly_beyond(const PosedPolytope& a, const PosedPolytope& b, double length,
                                     SimplexCache* kept = nullptr);
 
+/// Along the direction, which need not have length 1, all of B is farther than all of A by this length.
+struct DirectedGap {
+  double length = 0;  ///< 0: no gap is known
+  Vec3 direction{};
+};
+
+/// Proved in doubles too: a gap of `enough`, or the largest that the search came upon.
+[[nodiscard]] DirectedGap certain_gap(const PosedPolytope& a, const PosedPolytope& b, double enough,
+                                      SimplexCache* kept = nullptr);
+
 /// What takes less time for a pair: to compare its distance with a length, or to find it.
 enum class Quicker { comparison, distance };
 

@@ -6,6 +6,7 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/posed_shape.hpp"
+#include "toccata/narrow/convex_convex.hpp"
 #include "world/body_box.hpp"
 
 namespace toccata {
@@ -13,8 +14,6 @@ namespace {
 
 /// Rows of matrices with such numbers add up to no more than six times the largest coordinate.
 constexpr double largest_entry = 2;
-/// By no more than this may the matrix of a flight become another: then no entry is larger than 5.
-constexpr double most_turned = 3;
 
 bool has_small_entries(const Mat3& linear) {
   double largest = 0;
@@ -22,14 +21,18 @@ bool has_small_entries(const Mat3& linear) {
   return largest <= largest_entry;
 }
 
-double norm_of_difference(const Mat3& a, const Mat3& b) {
+Mat3 minus(const Mat3& a, const Mat3& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+
+double norm_of(const Mat3& matrix) {
   double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 row = a[i] - b[i];
-    sum += dot(row, row);
-  }
+  for (int i = 0; i < 3; ++i) sum += dot(matrix[i], matrix[i]);
   return std::sqrt(sum);
 }
+
+/// Poses from floats are off by 2⁻²².
+constexpr double most_deformed = 0x1p-20;
+
+bool is_nearly_rotation(const Mat3& linear) { return norm_of(minus(transpose(linear) * linear, {})) <= most_deformed; }
 
 double magnitude_of(const Aabb& box) {
   return largest_magnitude(magnitudes(box.lower)) + largest_magnitude(magnitudes(box.upper));
@@ -52,56 +55,100 @@ double way_beyond_velocity(const SpaceTimeMotion& motion, double steps) {
   return steps * (motion.velocity_error + 0.5 * steps * motion.max_acceleration);
 }
 
-/// Whose ways in a step differ by no more than b from one step to the next is s steps later within b s (s + 1) / 2 of
-/// where the last way takes it. Turning adds a way that is no longer than the sum of the ways of the steps.
-SpaceTimeMotion expected_motion(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
+/// What is said about how a body goes on.
+struct Expectation {
+  SpaceTimeMotion motion{};
+  Mat3 turning{{Vec3{}, Vec3{}, Vec3{}}};
+  double turning_speed = 0;
+};
+
+/// Whose ways in a step differ by no more than b from one step to the next goes in the k-th step from now within b k of
+/// the last way.
+Expectation expectation_of(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
+  constexpr double steady = 1.25;  // turning goes on as it was, in another direction at each step
   const Vec3 way = sights.now.centre - sights.before.centre;
   const Vec3 change = way - (sights.before.centre - sights.earlier.centre);
+  const Mat3 turning = minus(sights.now.linear, sights.before.linear);
   const double bending = std::isinf(body.max_acceleration) ? 2 * length(change) : body.max_acceleration;
-  const double turn = norm_of_difference(sights.now.linear, sights.before.linear) * parts.radius;
-  const double last_turn = norm_of_difference(sights.before.linear, sights.earlier.linear) * parts.radius;
-  const double more_turn = 2 * std::fabs(turn - last_turn);
-  const SpaceTimeMotion on{way, 0, 0.5 * (bending + more_turn) + turn * (1 + 0x1p-20), bending + more_turn};
+  const double more_turning =
+      steady * norm_of(minus(turning, minus(sights.before.linear, sights.earlier.linear))) * parts.radius;
+  const double all = bending + more_turning;
+  const Expectation on{{way, 0, 0.5 * all, all}, turning, norm_of(turning) * parts.radius * (1 + 0x1p-20)};
   // Who promises a speed alone may turn at any time.
-  const bool is_slower = (std::isinf(body.max_acceleration) && !std::isinf(body.max_speed)) ||
-                         body.max_speed < length(way) + way_beyond_velocity(on, steps) / steps;
-  return is_slower ? SpaceTimeMotion{{}, 0, body.max_speed, 0} : on;
+  const bool is_slower =
+      (std::isinf(body.max_acceleration) && !std::isinf(body.max_speed)) ||
+      body.max_speed < length(way) + on.turning_speed + way_beyond_velocity(on.motion, steps) / steps;
+  return is_slower ? Expectation{{{}, 0, body.max_speed, 0}} : on;
+}
+
+/// Of a convex shape around a point, in its own frame.
+double inner_radius(const Model& model, const Vec3& centre, double size) {
+  if (const auto* box = std::get_if<Box>(&model.shape()))
+    return std::min({box->half_extents().x, box->half_extents().y, box->half_extents().z});
+  if (const auto* capsule = std::get_if<Capsule>(&model.shape())) return capsule->radius();
+  if (const auto* hull = std::get_if<ConvexHull>(&model.shape())) {
+    const PosedPolytope posed(*hull, {}), ball(Sphere(size, centre), {});
+    return posed.solid() ? std::max(penetration(posed, ball).lower - size, 0.0) : 0;
+  }
+  return 0;
 }
 
 }  // namespace
 
 TurningParts turning_parts(const Body& body) {
   if (const auto* sphere = std::get_if<Sphere>(&body.model.shape()))
-    return {sphere->centre(), 0, sum_of_magnitudes(sphere->centre()) + sphere->radius()};
+    return {sphere->centre(), 0, sum_of_magnitudes(sphere->centre()) + sphere->radius(), {}, sphere->radius()};
   const Aabb box = body_box(Body{body.model}, {}, [] { return std::string("a body"); });
   const Vec3 centre = 0.5 * box.lower + 0.5 * box.upper;
   const double radius = length(box.upper - centre) + length(box.lower - centre);
   if (!(radius < 0x1p400)) return {{}, infinity, infinity};
   // Both halves of the diagonal, rounded to nearest: half their sum and a little more is no less than each.
-  return {centre, 0.5 * radius * (1 + 0x1p-40), magnitude_of(body.model)};
+  const Vec3 half_extents = 0.5 * (1 + 0x1p-40) * ((box.upper - centre) + (centre - box.lower));
+  return {centre, 0.5 * radius * (1 + 0x1p-40), magnitude_of(body.model), half_extents,
+          inner_radius(body.model, centre, radius)};
 }
 
 Sight sight_of(const TurningParts& parts, const Pose& pose) { return {transform(pose, parts.centre), pose.linear}; }
 
-bool Flight::is_kept(const TurningParts& parts, const Sight& now, double steps) const {
-  if (is_at_rest_ && now == start_) return true;
-  const double turned = norm_of_difference(now.linear, start_.linear);
-  if (!(turned <= most_turned) || std::isinf(parts.radius)) return false;
-  const double moved = length((now.centre - start_.centre) - steps * motion_.velocity);
-  const double off = (moved + turned * parts.radius) * (1 + 0x1p-40) + 0x1p-42 * magnitude_;
-  return off <= way_beyond_velocity(motion_, steps) * (1 - 0x1p-40) + 0x1p-37 * magnitude_;
+/// A matrix R takes a ball to an ellipsoid whose least half axis is at least 1 − ‖RᵀR − I‖ of the radius. Other
+/// roundings are covered by the position errors of flights.
+Ball inner_ball(const TurningParts& parts, const Pose& pose) {
+  if (parts.inner == 0 || !is_nearly_rotation(pose.linear)) return {{}, 0};
+  return {transform(pose, parts.centre), std::max(0.0, parts.inner - 2 * most_deformed * parts.magnitude)};
+}
+
+double Flight::turning_speed(const TurningParts& parts, const Vec3& along) const {
+  if (turning_speed_ == 0) return 0;
+  const Vec3 ways = magnitudes(transpose(turning_) * along);
+  return std::min(turning_speed_, dot(ways, parts.half_extents) * (1 + 0x1p-40));
+}
+
+bool Flight::goes_on(const TurningParts& parts, const Sight& now, double step) {
+  if (is_at_rest_ && now == last_) return true;
+  if (!has_small_entries(now.linear) || std::isinf(parts.radius)) return false;
+  if (is_rigid_ && now.linear != last_.linear && !is_nearly_rotation(now.linear)) return false;
+  const double moved = length((now.centre - last_.centre) - motion_.velocity);
+  const double turned = norm_of(minus(minus(now.linear, last_.linear), turning_));
+  const double off = (moved + turned * parts.radius) * (1 + 0x1p-40) + 0x1p-46 * magnitude_;
+  const double allowed = motion_.velocity_error + (step - 0.5) * motion_.max_acceleration;
+  last_ = now;
+  return off <= allowed * (1 - 0x1p-40) + 0x1p-43 * magnitude_;
 }
 
 std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
   Flight flight;
-  flight.start_ = sights.now;
+  flight.last_ = sights.now;
   flight.is_at_rest_ = sights.now == sights.before && sights.now == sights.earlier;
   if (std::isinf(parts.magnitude)) return flight.is_at_rest_ ? std::optional(flight) : std::nullopt;
   if (!has_small_entries(sights.now.linear)) return std::nullopt;
-  if (!flight.is_at_rest_) flight.motion_ = expected_motion(body, parts, sights, steps);
-  const SpaceTimeMotion& motion = flight.motion_;
+  flight.is_rigid_ = parts.inner > 0 && is_nearly_rotation(sights.now.linear);
+  const Expectation expected = flight.is_at_rest_ ? Expectation{} : expectation_of(body, parts, sights, steps);
+  flight.motion_ = expected.motion;
+  flight.turning_ = expected.turning;
+  flight.turning_speed_ = expected.turning_speed;
   flight.magnitude_ = 64 * parts.magnitude + sum_of_magnitudes(sights.now.centre) +
-                      steps * sum_of_magnitudes(motion.velocity) + way_beyond_velocity(motion, steps);
+                      steps * (sum_of_magnitudes(expected.motion.velocity) + expected.turning_speed) +
+                      way_beyond_velocity(expected.motion, steps);
   if (!(flight.magnitude_ < 0x1p400)) return std::nullopt;
   flight.motion_.position_error = 0x1p-36 * flight.magnitude_;
   return flight;

@@ -1,11 +1,11 @@
 #include "world/narrow_phase.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <hwy/cache_control.h>
 
-#include "narrow/near.hpp"
 #include "query/ask_each.hpp"
 #include "query/contacts/part_contacts.hpp"
 #include "query/penetration/solid_penetration.hpp"
@@ -52,29 +52,80 @@ struct PlaceConvex {
   std::optional<PosedPolytope>& placed;
 };
 
-BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const UndecidedPair& wanted,
+/// What is left of a length beyond the margin, rounded down.
+double beyond_margin(double length, double margin) {
+  return std::min(std::max(0.0, (length - margin) * (1 - 0x1p-52)), greatest_double);
+}
+
+/// Before they could have moved against each other by this, two that are near stay so and do not touch.
+double near_until(const Distance& apart, double margin) {
+  return std::min(apart.lower, beyond_margin(margin, apart.upper));
+}
+
+AnswerLasts while_near(double way) { return {.radius = way}; }
+
+/// How long two that meet do so. The difference A − B holds a ball around c, and the origin. If it holds q = −λ c too,
+/// as it does if A meets B moved by q, it holds the ball around the origin whose radius is the share s = λ / (1 + λ) of
+/// the first: and as A and B move, that of the ball around s c + (1 − s) q as they have gone, of which the share s goes
+/// with the centres of the bodies, whatever they turn. Roundings are covered by the position errors of flights.
+AnswerLasts while_held(const PosedPolytope& a, const Body& b, const UndecidedPair& wanted, SimplexCache& workspace) {
+  const auto& [centre, radius] = wanted.inner;
+  const double left = radius - length(centre);
+  if (!(radius > 0) || left >= std::min(0.5 * wanted.enough, 0.3 * radius))
+    return {.offset = centre, .radius = radius, .turning = 0};
+  for (const double share : {0.5, 0.15}) {
+    const double held = std::min(share, wanted.enough / radius);
+    std::optional<PosedPolytope> moved;
+    const Pose pose{b.pose.linear, b.pose.offset - held / (1 - held) * centre};
+    std::visit(PlaceConvex{pose, moved}, b.model.shape());
+    if (overlap(a, *moved, &workspace)) return {.radius = held * radius, .turning = 1 - held};
+  }
+  return left > 0 ? AnswerLasts{.offset = centre, .radius = radius, .turning = 0} : AnswerLasts{};
+}
+
+/// What `within_distance` and `overlap` answer, of two convex ones.
+BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const Body& body_b, UndecidedPair& wanted,
                          SimplexCache& workspace) {
   const double margin = wanted.margin;
-  if (!std::isinf(wanted.beyond) && certainly_beyond(a, b, wanted.beyond, &workspace)) return BodyNearness::beyond;
+  if (wanted.enough > 0) {
+    const DirectedGap gap = certain_gap(a, b, margin + wanted.enough, &workspace);
+    if (gap.length > margin) {
+      wanted.lasts.gap = {beyond_margin(gap.length, margin), gap.direction};
+      return BodyNearness::apart;
+    }
+  }
   if (margin > 0 && !std::isinf(margin) && !nearby(a, b, WantedDistance::within(margin), &workspace))
     return BodyNearness::apart;
-  if (overlap(a, b, &workspace)) return BodyNearness::contact;
-  return margin > 0 ? BodyNearness::near : BodyNearness::apart;
+  const bool in_contact = overlap(a, b, &workspace);
+  if (!in_contact && margin == 0) return BodyNearness::apart;
+  if (wanted.of_told)
+    wanted.lasts = in_contact ? while_held(a, body_b, wanted, workspace)
+                              : while_near(near_until(distance(a, b, &workspace), margin));
+  return in_contact ? BodyNearness::contact : BodyNearness::near;
 }
 
 /// What `within_distance` and `overlap` answer.
-BodyNearness nearness_of(const Body& a, const Body& b, const UndecidedPair& wanted, Workspace& workspace) {
+BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Workspace& workspace) {
   std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
-  if (placed_b) return nearness_of(*placed_a, *placed_b, wanted, cleared(workspace).scratch().convex);
+  if (placed_b) return nearness_of(*placed_a, *placed_b, b, wanted, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
-  if (!std::isinf(wanted.beyond) && !within_distance(a.model, b.model, wanted.beyond, query, cleared(workspace)))
-    return BodyNearness::beyond;
   const double margin = wanted.margin;
-  if (margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace))) return BodyNearness::apart;
-  if (overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
-  return margin > 0 ? BodyNearness::near : BodyNearness::apart;
+  std::optional<Distance> known;
+  if (wanted.enough > 0) {
+    known = distance_within(a.model, b.model, (margin + wanted.enough) * (1 + 0x1p-50), query, cleared(workspace));
+    if (!known) {
+      wanted.lasts = while_near(wanted.enough);
+      return BodyNearness::apart;
+    }
+  }
+  const bool is_far = margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace));
+  if (!is_far && overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
+  const bool is_near = !is_far && margin > 0;
+  if (known && (!is_near || wanted.of_told))
+    wanted.lasts = while_near(is_near ? near_until(*known, margin) : beyond_margin(known->lower, margin));
+  return is_near ? BodyNearness::near : BodyNearness::apart;
 }
 
 /// Where it stands, or how it goes.
@@ -92,11 +143,11 @@ bool has_first_contact(const Body& a, const Body& b) {
 }  // namespace
 
 void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way,
-                         std::span<const UndecidedPair> undecided, std::span<DecidedPair> pairs) {
+                         std::span<UndecidedPair> undecided, std::span<DecidedPair> pairs) {
   const Chunks rows{undecided.size(), row_length(undecided.size(), options_.threads)};
   parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
     workspaces_.with([&](Workspace& workspace) {
-      const std::span<const UndecidedPair> some = rows.of(undecided, row);
+      const std::span<UndecidedPair> some = rows.of(undecided, row);
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (i + ahead < some.size()) fetch(bodies[pairs[some[i + ahead].number].pair.second]);
         DecidedPair& pair = pairs[some[i].number];
@@ -107,12 +158,10 @@ void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_
   });
 }
 
-void NarrowPhase::decide(const Body& a, const Body& b, const UndecidedPair& wanted, DecidedPair& pair,
+void NarrowPhase::decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair,
                          Workspace& workspace) const {
   pair.nearness = nearness_of(a, b, wanted, workspace);
-  const bool is_asked =
-      options_.relation || options_.distance || options_.contacts || options_.manifold || options_.penetration;
-  if (is_asked && is_told(pair.nearness))
+  if (tells_details(options_) && is_told(pair.nearness))
     pair.details = std::make_shared<const PairDetails>(
         details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace)));
 }

@@ -4,8 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "math/constants.hpp"
+#include "narrow/near.hpp"
 #include "query/workspace_pool.hpp"
+#include "toccata/bounds/ball.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/world/world.hpp"
 #include "world/bodies_on_the_way.hpp"
@@ -17,12 +18,14 @@ enum class BodyNearness : std::uint8_t {
   near,
   contact,
   passed,  ///< they have met on the way, and are neither near nor in contact now
-  beyond,  ///< apart, and farther than was asked
 };
 
 /// They are a pair.
-[[nodiscard]] constexpr bool is_told(BodyNearness nearness) {
-  return nearness != BodyNearness::apart && nearness != BodyNearness::beyond;
+[[nodiscard]] constexpr bool is_told(BodyNearness nearness) { return nearness != BodyNearness::apart; }
+
+/// Besides that two bodies are a pair.
+[[nodiscard]] constexpr bool tells_details(const WorldOptions& options) {
+  return options.relation || options.distance || options.contacts || options.manifold || options.penetration;
 }
 
 /// Two bodies whose boxes overlap, and what was found out about them.
@@ -30,14 +33,28 @@ struct DecidedPair {
   IndexPair pair;
   BodyNearness nearness = BodyNearness::apart;
   std::shared_ptr<const PairDetails> details{};
+  std::uint64_t sure_until = 0;  ///< with space_time, while both fly: before this step nothing else can be told of them
 };
 
-/// A pair to be decided, and how near counts.
+/// For how long a pair is as it was found, of which it was said how its bodies go on.
+struct AnswerLasts {
+  DirectedGap gap{};  ///< of two that are apart: until it is closed
+  /// Else while offset + w is within the radius, where w is how far any point of A has gone against any of B, of which
+  /// only this share of how far they turn counts. 0: until the next step.
+  Vec3 offset{};
+  double radius = 0;
+  double turning = 1;
+};
+
+/// A pair to be decided, how near counts, and how long the answer lasts.
 struct UndecidedPair {
   std::size_t number = 0;  ///< in the list of pairs
   double margin = 0;
-  double beyond = infinity;  ///< not less than the margin: nothing more is wanted of the two if they are farther apart
-  int steps = 1;             ///< after which they are looked at again if they are
+  // How long the answer lasts, with space_time:
+  double enough = 0;     ///< gaps and ways need not be longer; 0: nothing is wanted
+  bool of_told = false;  ///< wanted also of two that are in contact or near
+  Ball inner{{}, 0};     ///< within the difference A − B; of radius 0 where none is known
+  AnswerLasts lasts{};   ///< found
 };
 
 /// Decides pairs of bodies. What it keeps is memory to work in.
@@ -48,12 +65,12 @@ class NarrowPhase {
   NarrowPhase& operator=(const NarrowPhase&) = delete;
   ~NarrowPhase() = default;
 
-  /// Fills in pairs[undecided.number] for each of them. Bodies are by index.
-  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<const UndecidedPair> undecided,
+  /// Fills in pairs[undecided.number] for each of them, and what lasts. Bodies are by index.
+  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<UndecidedPair> undecided,
               std::span<DecidedPair> pairs);
 
  private:
-  void decide(const Body& a, const Body& b, const UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
+  void decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
   /// Of two bodies of which one at least has been on its way.
   void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
                          Workspace& workspace) const;

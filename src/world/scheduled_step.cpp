@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "math/constants.hpp"
 #include "world/world_state.hpp"
 
 // What a step does besides with space_time.
@@ -35,28 +36,37 @@ void World::State::give_to_phase(std::span<const Index> indices) {
   phase_.move(indices, reached_boxes_);
 }
 
-void World::State::want_beyond(const IndexPair& pair, bool was_apart, UndecidedPair& wanted) const {
-  if (!schedule_->are_flying(pair)) return;
-  // Of two that were not as far apart as for the whole stretch less is asked, and not always: it mostly costs more than
-  // it saves.
-  if (was_apart && schedule_->is_odd()) return;
+double World::State::greatest_depth(const IndexPair& pair) const {
+  const Aabb &a = boxes_[pair.first], &b = boxes_[pair.second];
+  double depth = infinity;
+  for (int axis = 0; axis < 3; ++axis)
+    depth = std::min({depth, a.upper[axis] - b.lower[axis], b.upper[axis] - a.lower[axis]});
+  return depth;
+}
+
+void World::State::want_lasting(const IndexPair& pair, UndecidedPair& wanted) const {
   constexpr int few = 4;
-  const int steps = was_apart ? std::min(few, schedule_->steps_left()) : schedule_->steps_left();
-  if (steps < 2) return;
-  const double beyond = (wanted.margin + schedule_->closing_in(pair, steps)) * (1 + 0x1p-50);
-  wanted.beyond = beyond;
-  wanted.steps = steps;
+  if (!schedule_->are_flying(pair) || schedule_->steps_left() < 2) return;
+  wanted.enough = schedule_->closing_in(pair, schedule_->steps_left());
+  if (tells_details(options_) || schedule_->steps_left() <= few) return;
+  wanted.inner = schedule_->inner_difference(pair, bodies_);
+  // Of two that stay a pair this is asked for besides, and costs as much as some steps.
+  const double most = std::max(std::min(greatest_depth(pair), wanted.inner.radius), 0.5 * wanted.margin);
+  wanted.of_told = most > schedule_->closing_in(pair, few);
 }
 
 void World::State::end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided) {
-  auto next = undecided.begin();
-  for (std::size_t i = 0; schedule_->count_flying() > 0 && i < decided_.size(); ++i) {
-    const bool was_asked = next != undecided.end() && next->number == i;
-    const bool is_beyond = decided_[i].nearness == BodyNearness::beyond;
-    if (schedule_->are_flying(decided_[i].pair)) schedule_->look_again(decided_[i].pair, is_beyond ? next->steps : 1);
-    if (is_beyond) decided_[i].nearness = BodyNearness::apart;
-    if (was_asked) ++next;
+  for (const UndecidedPair& asked : undecided) {
+    DecidedPair& decided = decided_[asked.number];
+    if (!schedule_->are_flying(decided.pair)) continue;
+    const int steps = schedule_->steps_until(decided.pair, asked.lasts);
+    decided.sure_until = schedule_->step_after(steps);
+    if (!is_told(decided.nearness)) schedule_->look_again(decided.pair, steps);
   }
+  // What is told is told at every step.
+  if (schedule_->count_flying() > 0)
+    for (const DecidedPair& decided : decided_)
+      if (is_told(decided.nearness) && schedule_->are_flying(decided.pair)) schedule_->look_again(decided.pair, 1);
   work_.bodies = count_;
   work_.tested = schedule_->count_tested();
   work_.looked = looked;

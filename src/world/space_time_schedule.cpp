@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "math/vec3_measures.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/parallel.hpp"
 
@@ -93,8 +94,8 @@ void SpaceTimeSchedule::break_off() {
   start_ = now_ + 3;
 }
 
-bool SpaceTimeSchedule::is_kept(Index index, const Body& body) const {
-  return flights_[index].is_kept(parts_[index], sight_of(parts_[index], body.pose), static_cast<double>(now_ - begin_));
+bool SpaceTimeSchedule::goes_on(Index index, const Body& body) {
+  return flights_[index].goes_on(parts_[index], sight_of(parts_[index], body.pose), static_cast<double>(now_ - begin_));
 }
 
 std::span<const Index> SpaceTimeSchedule::begin_step(std::span<const Body> bodies, std::span<const Index> moved) {
@@ -106,7 +107,7 @@ std::span<const Index> SpaceTimeSchedule::begin_step(std::span<const Body> bodie
     land_all();
     return landed_;
   }
-  const auto is_lost = [&](Index index) { return is_flying(index) && !is_kept(index, bodies[index]); };
+  const auto is_lost = [&](Index index) { return is_flying(index) && !goes_on(index, bodies[index]); };
   is_lost_.resize(moving_.size());
   for_rows(moving_.size(), threads_, [&](std::size_t i) { is_lost_[i] = is_lost(moving_[i]) ? 1 : 0; });
   for (std::size_t i = 0; i < moving_.size(); ++i)
@@ -174,7 +175,7 @@ void SpaceTimeSchedule::put_off_start() {
 }
 
 Aabb SpaceTimeSchedule::box_of_flight(Index index, const Aabb& reached) const {
-  return box_until({reached, flights_[index].motion()}, static_cast<double>(end_ - begin_ - 1));
+  return box_until({reached, motion_now(index)}, static_cast<double>(end_ - begin_ - 1));
 }
 
 std::span<const IndexPair> SpaceTimeSchedule::pairs_of_step(std::span<const IndexPair> overlapping, std::size_t count) {
@@ -197,21 +198,63 @@ std::span<const IndexPair> SpaceTimeSchedule::pairs_of_step(std::span<const Inde
   return looked_;
 }
 
-SpaceTimeMotion SpaceTimeSchedule::motion_now(Index index) const {
-  return seen_later(flights_[index].motion(), static_cast<double>(now_ - begin_));
+SpaceTimeMotion SpaceTimeSchedule::motion_now(Index index, double turning_speed) const {
+  SpaceTimeMotion motion = flights_[index].motion();
+  const double gone = static_cast<double>(now_ - begin_) * motion.max_acceleration;
+  motion.velocity_error = (motion.velocity_error + gone + turning_speed) * (1 + 0x1p-50);
+  return motion;
 }
 
 void SpaceTimeSchedule::look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b) {
-  const double time =
-      earliest_meeting(SpaceTimeBox{reached_a, motion_now(pair.first)}, {reached_b, motion_now(pair.second)});
-  look_again(pair, time < steps_left() ? std::max(1, static_cast<int>(std::ceil(time))) : steps_left());
+  look_again(pair, whole_steps(earliest_meeting(SpaceTimeBox{reached_a, motion_now(pair.first)},
+                                                {reached_b, motion_now(pair.second)})));
+}
+
+int SpaceTimeSchedule::whole_steps(double time) const {
+  return time < steps_left() ? std::max(1, static_cast<int>(std::ceil(time))) : steps_left();
+}
+
+Ball SpaceTimeSchedule::inner_difference(const IndexPair& pair, std::span<const Body> bodies) const {
+  if (!flights_[pair.first].is_rigid() || !flights_[pair.second].is_rigid()) return {{}, 0};
+  const Ball a = inner_ball(parts_[pair.first], bodies[pair.first].pose);
+  const Ball b = inner_ball(parts_[pair.second], bodies[pair.second].pose);
+  return {a.centre - b.centre, a.radius > 0 && b.radius > 0 ? a.radius + b.radius : 0};
+}
+
+int SpaceTimeSchedule::steps_until(const IndexPair& pair, const AnswerLasts& lasts) const {
+  if (lasts.gap.length > 0) return steps_apart(pair, lasts.gap);
+  return lasts.radius > 0 ? steps_held(pair, lasts) : 1;
+}
+
+int SpaceTimeSchedule::steps_apart(const IndexPair& pair, const DirectedGap& gap) const {
+  const Vec3 along = unit_or_zero(gap.direction);
+  const auto motion = [&](Index index) {
+    return motion_now(index, flights_[index].turning_speed(parts_[index], along));
+  };
+  return whole_steps(earliest_meeting(gap.length, along, motion(pair.first), motion(pair.second)));
+}
+
+/// The length of a vector that moves evenly, and what errors add, are convex in time: between two steps at which they
+/// are within the radius they are so too.
+int SpaceTimeSchedule::steps_held(const IndexPair& pair, const AnswerLasts& lasts) const {
+  const auto motion = [&](Index index) { return motion_now(index, lasts.turning * flights_[index].turning_speed()); };
+  const SpaceTimeMotion a = motion(pair.first), b = motion(pair.second);
+  const Vec3 velocity = a.velocity - b.velocity;
+  const auto is_held = [&](int steps) {
+    const double off = length(lasts.offset + steps * velocity) + (greatest_error(a, steps) + greatest_error(b, steps));
+    return off <= lasts.radius * (1 - 0x1p-40);
+  };
+  if (!is_held(1)) return 1;
+  int held = 1, not_held = steps_left();
+  while (not_held - held > 1) (is_held((held + not_held) / 2) ? held : not_held) = (held + not_held) / 2;
+  return not_held;
 }
 
 double SpaceTimeSchedule::closing_in(const IndexPair& pair, int steps) const {
   const double last = steps - 1;
   const SpaceTimeMotion a = motion_now(pair.first), b = motion_now(pair.second);
   const double errors = greatest_error(a, last) + greatest_error(b, last);
-  return (length(b.velocity - a.velocity) * last + errors) * (1 + 0x1p-40);
+  return (length(b.velocity - a.velocity) * last + errors) * (1 + 0x1p-20);
 }
 
 void SpaceTimeSchedule::look_again(const IndexPair& pair, int steps) {

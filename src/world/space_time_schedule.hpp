@@ -11,6 +11,7 @@
 #include "world/bodies_on_the_way.hpp"
 #include "world/flight.hpp"
 #include "world/flight_pace.hpp"
+#include "world/narrow_phase.hpp"
 
 namespace toccata {
 
@@ -49,17 +50,23 @@ class SpaceTimeSchedule {
   // Of a pair that has been looked at, both of which fly:
   /// They are apart, as boxes that hold what reaches to the other: looked at again when these can meet.
   void look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b);
-  /// If they are farther apart than what is returned, they stay so for that many steps.
+  /// How far the points of the two move against each other until so many steps from now, and a little more.
   [[nodiscard]] double closing_in(const IndexPair& pair, int steps) const;
+  /// A ball within the difference of the first and the second, of radius 0 where none is known.
+  [[nodiscard]] Ball inner_difference(const IndexPair& pair, std::span<const Body> bodies) const;
+  /// After how many steps the pair has to be looked at again: 1 or more, and no more than are left.
+  [[nodiscard]] int steps_until(const IndexPair& pair, const AnswerLasts& lasts) const;
   void look_again(const IndexPair& pair, int steps);
+  [[nodiscard]] std::uint64_t step_after(int steps) const { return now_ + static_cast<std::uint64_t>(steps); }
+  /// What was sure of a pair until that step in this stretch is so now: neither has landed.
+  [[nodiscard]] bool is_sure(const IndexPair& pair, std::uint64_t until) const {
+    return now_ < until && are_flying(pair);
+  }
   /// How many steps there are from this one to the end of the stretch.
   [[nodiscard]] int steps_left() const { return static_cast<int>(end_ - now_); }
   [[nodiscard]] std::size_t count_flying() const { return count_flying_; }
   /// How many bodies were tested in this step whether they left their bounds.
   [[nodiscard]] std::size_t count_tested() const { return count_flying_ == 0 ? 0 : moving_.size(); }
-  /// Whether the step is one of an odd number.
-  [[nodiscard]] bool is_odd() const { return now_ % 2 == 1; }
-
   /// Whether what is done now says something about stretches: in one, and just before it.
   [[nodiscard]] bool counts_work() const { return now_ < end_ || now_ + 4 >= start_; }
   /// What the step has done.
@@ -85,8 +92,16 @@ class SpaceTimeSchedule {
   void plan(const StepWork& work);
   void land_all();
   void break_off();
-  [[nodiscard]] bool is_kept(Index index, const Body& body) const;
-  [[nodiscard]] SpaceTimeMotion motion_now(Index index) const;
+  /// Whether it has gone on as it was said; to be asked once in a step.
+  [[nodiscard]] bool goes_on(Index index, const Body& body);
+  /// From now on, with this speed added to the errors.
+  [[nodiscard]] SpaceTimeMotion motion_now(Index index, double turning_speed) const;
+  [[nodiscard]] SpaceTimeMotion motion_now(Index index) const {
+    return motion_now(index, flights_[index].turning_speed());
+  }
+  [[nodiscard]] int steps_apart(const IndexPair& pair, const DirectedGap& gap) const;
+  [[nodiscard]] int steps_held(const IndexPair& pair, const AnswerLasts& lasts) const;
+  [[nodiscard]] int whole_steps(double time) const;
 
   int threads_;
   FlightPace pace_;

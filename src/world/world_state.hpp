@@ -92,9 +92,10 @@ class World::State {
   [[nodiscard]] bool may_be_near(const IndexPair& pair, double margin) const;
   [[nodiscard]] std::vector<DecidedPair> candidates(std::span<const IndexPair> looked,
                                                     std::vector<UndecidedPair>& undecided);
-  /// With space_time, of a pair that was apart at the step before, or was not looked at: how far apart it has to be for
-  /// it not to be looked at for some steps.
-  void want_beyond(const IndexPair& pair, bool was_apart, UndecidedPair& wanted) const;
+  /// With space_time: how long the answer about a pair lasts is asked for too, as far as that may save time.
+  void want_lasting(const IndexPair& pair, UndecidedPair& wanted) const;
+  /// How deep at most two bodies overlap, by their boxes.
+  [[nodiscard]] double greatest_depth(const IndexPair& pair) const;
   /// With space_time: when the pairs that were decided are looked at again.
   void end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided);
   [[nodiscard]] Aabb reached_box(Index index) const;

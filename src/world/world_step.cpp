@@ -54,12 +54,16 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
     }
     while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
     const bool was_looked_at = known != decided_.end() && known->pair == pair;
-    const bool is_known = was_looked_at && !slots_[pair.first].has_changed && !slots_[pair.second].has_changed;
-    if (!is_known) {
-      undecided.push_back({found.size(), *margin});
-      if (schedule_ && !(was_looked_at && is_told(known->nearness))) want_beyond(pair, was_looked_at, undecided.back());
+    const bool is_as_it_was = was_looked_at && !slots_[pair.first].has_changed && !slots_[pair.second].has_changed;
+    const bool is_sure = was_looked_at && schedule_ && schedule_->is_sure(pair, known->sure_until);
+    if (is_as_it_was || is_sure) {
+      found.push_back(*known);
+      if (!is_sure) found.back().sure_until = 0;
+      continue;
     }
-    found.push_back(is_known ? *known : DecidedPair{pair});
+    undecided.push_back({found.size(), *margin});
+    if (schedule_) want_lasting(pair, undecided.back());
+    found.push_back(DecidedPair{pair});
   }
   return found;
 }

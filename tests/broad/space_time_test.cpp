@@ -72,6 +72,40 @@ TEST(EarliestMeeting, OfBallsThatAreThrownAtEachOtherIsTheRootOfTheParabola) {
   EXPECT_EQ(earliest_meeting(a, SpaceTimeBall{}), infinity) << "an empty ball";
 }
 
+/// A gap along a direction closes as all of it comes nearer: in rationals, squared where a length comes in.
+TEST(EarliestMeeting, OfAGapNoneMeetsBeforeInExactArithmetic) {
+  Random random(5);
+  int finite = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const SpaceTimeMotion a = random_motion(random), b = random_motion(random);
+    const Vec3 direction = vector_between(random, -1, 1);
+    const double gap = random.between(0, 4), time = earliest_meeting(gap, direction, a, b);
+    if (time == 0) continue;
+    finite += time < infinity ? 1 : 0;
+    const Rational last = exact(std::min(std::nextafter(time, 0.0), 1e6));
+    for (int share = 1; share <= 4; ++share) {
+      const Rational at = last * exact(share / 4.0);
+      const Rational closing = oracle::dot(exact(a.velocity) - exact(b.velocity), exact(direction)) * at;
+      const Rational left = exact(gap) - exact_error(a, at) - exact_error(b, at);  // is it more than closing / |d|?
+      EXPECT_GT(left, Rational(0));
+      if (closing > Rational(0)) {
+        EXPECT_GT(left * left * oracle::dot(exact(direction), exact(direction)), closing * closing) << i;
+      }
+    }
+  }
+  EXPECT_GT(finite, 500);
+}
+
+TEST(EarliestMeeting, OfAGapIsThatAlongItsDirection) {
+  const SpaceTimeMotion still{}, coming{.velocity = {-2, 5, 0}};
+  EXPECT_NEAR(earliest_meeting(4, {3, 0, 0}, still, coming), 2, 1e-12);
+  EXPECT_EQ(earliest_meeting(4, {-3, 0, 0}, still, coming), infinity);
+  EXPECT_EQ(earliest_meeting(0, {1, 0, 0}, still, coming), 0);
+  EXPECT_THROW(static_cast<void>(earliest_meeting(-1, {1, 0, 0}, still, coming)), Error);
+  EXPECT_THROW(static_cast<void>(earliest_meeting(1, {infinity, 0, 0}, still, coming)), Error);
+  EXPECT_THROW(static_cast<void>(earliest_meeting(1, {1, 0, 0}, still, {.velocity_error = -1})), Error);
+}
+
 TEST(EarliestMeeting, OfABallThatPassesIsNever) {
   const SpaceTimeBall a{{{0, 0, 0}, 1}, {}}, b{{{-10, 2.5, 0}, 1}, {.velocity = {1, 0, 0}}};
   EXPECT_GT(earliest_meeting(a, b), 1e6);

@@ -129,6 +129,58 @@ TEST(SpaceTime, AsksAThirdOrLessWhereLittleHappens) {
   EXPECT_GT(twins.asked_plain(), 3 * twins.asked_scheduled());
 }
 
+/// Balls and bars that turn and cross each other slowly, deep in contact.
+TEST(SpaceTime, AsksAFourthOrLessWherePairsStayInContact) {
+  Random random(3);
+  const Manners manners{.room = 40, .spin = 0.5};
+  std::vector<Course> courses = random_courses(40, manners, 0.005, random);
+  Twins twins({});
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    if (i % 2 == 1) courses[i].at = courses[i - 1].at + vector_in(random, -0.2, 0.2);
+    twins.add(i % 4 == 0 ? Body{Sphere(1), courses[i].pose()} : Body{Box({2, 1, 1}), courses[i].pose()});
+  }
+  live(twins, courses, manners, 60, random);
+  EXPECT_GT(twins.events(), 60 * 15);
+  EXPECT_GT(twins.asked_plain(), 4 * twins.asked_scheduled());
+}
+
+TEST(SpaceTime, WhatShrinksAwayFromWhatItIsDeepInIsFoundToLeave) {
+  Twins twins({});
+  twins.add(Body{Box({1, 1, 1})});
+  twins.add(Body{Box({1, 1, 1}), Pose::translation(1.2, 0, 0)});
+  for (int step = 1; step <= 60; ++step) {
+    twins.both([&](World& world, const std::vector<BodyId>& ids) {
+      const double scale = 1 - 0.01 * step;
+      const Mat3 linear{{Vec3{scale, 0, 0}, Vec3{0, scale, 0}, Vec3{0, 0, scale}}};
+      world.move(ids[0], {linear, {}});
+      world.move(ids[1], {linear, {1.2, 0, 0}});
+    });
+    twins.step();
+  }
+  EXPECT_GT(twins.events(), 0);
+  EXPECT_TRUE(twins.scheduled().pairs().empty());
+}
+
+TEST(SpaceTime, APairThatIsOnlyNearIsToldUntilItIsNotOrMeets) {
+  for (const double speed : {0.05, -0.05}) {
+    Twins twins({});
+    Body a{Sphere(1)}, b{Capsule({0, -1, 0}, {0, 1, 0}, 0.5), Pose::translation(3, 0, 0)};
+    a.margin = b.margin = 1;
+    twins.add(a);
+    twins.add(b);
+    for (int step = 1; step <= 60; ++step) {
+      twins.both([&](World& world, const std::vector<BodyId>& ids) {
+        world.move(ids[1], Pose::translation(3 + speed * step, 0, 0));
+      });
+      twins.step();
+    }
+    if (speed < 0) {
+      EXPECT_GT(twins.asked_plain(), 2 * twins.asked_scheduled());
+    }
+    EXPECT_EQ(twins.scheduled().pairs().size(), speed > 0 ? 0 : 1);
+  }
+}
+
 class SpaceTimeLives : public testing::TestWithParam<int> {};
 
 TEST_P(SpaceTimeLives, TellTheSameAsPlainOnes) {

@@ -40,6 +40,12 @@ struct SpaceTimeBox {
   SpaceTimeMotion motion{};
 };
 
+/// A time before which two bodies do not meet that a gap parts now, proved: along the direction, from the first to the
+/// second and of any length but 0, all of the second is farther by `gap` than all of the first. +∞ where the gap never
+/// closes. Throws Error as below, and when the gap or the direction is not finite, or the gap negative.
+[[nodiscard]] double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a,
+                                      const SpaceTimeMotion& b);
+
 /// A time before which the two have no point in common, proved: at most the time at which their horns first touch, 0
 /// where they touch now, and +∞ where it is proved that they never do. Of balls it is searched for in at most 64 steps,
 /// and is mostly that time but for 2⁻³⁰ of it; where the horns barely graze or pass each other it may be earlier. Of

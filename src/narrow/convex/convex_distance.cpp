@@ -84,6 +84,17 @@ class ConvexQuestion {
     return !end.inside && is_beyond(direction_of(end)) && certified(true);
   }
 
+  DirectedGap certain_gap() {
+    const GjkEnd end = search_to_reach();
+    if (end.inside) return {};
+    const Vec3& direction = direction_of(end);
+    const double radii = (a_.shape().radius() + b_.shape().radius()) * (1 + 0x1p-50);
+    const double gap = (certain_gap_along(a_, b_, direction) - radii) * (1 - 0x1p-50);
+    if (!(gap > 0)) return {};
+    certified(true);
+    return {gap, -direction};
+  }
+
   /// A common point of cores depends on the simplex in which it is found, and must not depend on what was asked before:
   /// there the search starts anew.
   Distance distance() {
@@ -303,6 +314,12 @@ bool certainly_beyond(const PosedPolytope& a, const PosedPolytope& b, double len
   if (!(length < greatest_asked_length)) return false;
   SimplexCache alone;
   return ConvexQuestion(a, b, kept != nullptr ? *kept : alone, {}, length).certainly_beyond();
+}
+
+DirectedGap certain_gap(const PosedPolytope& a, const PosedPolytope& b, double enough, SimplexCache* kept) {
+  if (!(enough < greatest_asked_length)) return {};
+  SimplexCache alone;
+  return ConvexQuestion(a, b, kept != nullptr ? *kept : alone, {}, enough).certain_gap();
 }
 
 bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options,

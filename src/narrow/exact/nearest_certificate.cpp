@@ -245,4 +245,10 @@ bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec
   return between > gap * std::sqrt(dot(direction, direction)) * (1 + 0x1p-40);
 }
 
+double certain_gap_along(const SupportSearch& a, const SupportSearch& b, const Vec3& direction) {
+  if (!in_certain_range(direction)) return 0;
+  const double between = a.lower_bound(direction) + b.lower_bound(-direction);
+  return between / std::sqrt(dot(direction, direction)) * (1 - 0x1p-40);
+}
+
 }  // namespace toccata

@@ -48,4 +48,8 @@ struct CertainNearest {
 /// The shapes' cores are farther apart along the direction, which need not have length 1, than `gap`: proved.
 [[nodiscard]] bool certainly_farther(const SupportSearch& a, const SupportSearch& b, const Vec3& direction, double gap);
 
+/// A gap that is proved between the shapes' cores along the direction, which need not have length 1: from b to a. Not
+/// positive or NaN: none is.
+[[nodiscard]] double certain_gap_along(const SupportSearch& a, const SupportSearch& b, const Vec3& direction);
+
 }  // namespace toccata
