@@ -307,16 +307,15 @@ std::optional<std::string> wrong_sweep(const RigidCase& pair, const ShapeHit& an
                   answer.status == Status::exact ? "exact" : "undecided", static_cast<int>(truth.kind), lower, upper);
   if (!answer.hit) return truth.kind == hit ? std::optional("a contact is missed" + told) : std::nullopt;
   if (truth.kind == hit && answer.lower > upper) return "a contact comes before what is told" + told;
-  const oracle::FineNearness at_lower = oracle::nearness_at(a, b, oracle::Fine(answer.lower));
   if (answer.status == Status::exact) {
     if (truth.kind == free) return "an exact contact, and there is none" + told;
     if (answer.upper < lower) return "they are apart when they are told to have met" + told;
-    if (!oracle::nearness_at(a, b, oracle::Fine(answer.upper)).meet && answer.upper > 0)
-      return "apart at the upper end" + told;
-    if (answer.lower > 0 && at_lower.meet) return "met before the lower end" + told;
-  } else if (at_lower.lower.convert_to<double>() > 1e-11 * size_of(pair)) {
-    return fmt::format("undecided where they are {} apart", at_lower.lower.convert_to<double>()) + told;
+    if (answer.upper > 0 && !oracle::meet_at(a, b, answer.upper)) return "apart at the upper end" + told;
+    if (answer.lower > 0 && oracle::meet_at(a, b, answer.lower)) return "met before the lower end" + told;
+    return std::nullopt;
   }
+  const double gap = oracle::nearness_at(a, b, oracle::Fine(answer.lower)).lower.convert_to<double>();
+  if (gap > 1e-11 * size_of(pair)) return fmt::format("undecided where they are {} apart", gap) + told;
   return std::nullopt;
 }
 
