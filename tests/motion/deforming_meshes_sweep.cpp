@@ -89,6 +89,41 @@ const bool deforming_known = register_sweep({.name = "deforming-meshes",
                                              .shard = 50,
                                              .thin_slice = 1});
 
+/// Of one mesh and of two, and how many pairs of features were judged, at least one.
+ImpactVerdict verdict_on_pairs(const std::string& family, std::uint64_t case_seed) {
+  Random random(case_seed);
+  const DeformingMesh a = random_deforming_case(family, random).made(),
+                      b = random_deforming_case(family, random).made();
+  ImpactVerdict verdict = verdict_on_impacts(DeformingPair(a), impacts(a), FeatureJudge::oracle);
+  const ImpactVerdict of_two = verdict_on_impacts({a, b}, impacts(a, b), FeatureJudge::oracle);
+  if (!verdict.wrong) verdict.wrong = of_two.wrong;
+  verdict.judged = std::max<std::size_t>(1, verdict.judged + of_two.judged);
+  return verdict;
+}
+
+SweepResult run_pairs(const std::string& family, std::uint64_t seed, std::uint64_t cases) {
+  SweepResult result;
+  Random seeds(seed);
+  while (result.cases < cases) {
+    const std::uint64_t case_seed = seeds.bits();
+    const ImpactVerdict verdict = verdict_on_pairs(family, case_seed);
+    result.cases += verdict.judged;
+    if (verdict.wrong && result.wrong++ == 0)
+      result.first_failure = fmt::format("{}, case seed {}: {}", family, case_seed, *verdict.wrong);
+  }
+  return result;
+}
+
+// Here a case is a pair of features that come near each other on their ways, judged by polynomials in rationals. Where
+// a mesh is wrong, it counts once.
+const bool pairs_known = register_sweep({.name = "deforming-pairs",
+                                         .families = deforming_families(),
+                                         .goal = 100'000,
+                                         .slice = 200,
+                                         .run = run_pairs,
+                                         .shard = 2000,
+                                         .thin_slice = 50});
+
 template <class Pair>
 std::string fault_of_separation(const Pair& pair, const Pair& reordered, double separation) {
   const Approach told = time_of_approach(differences(pair), separation);

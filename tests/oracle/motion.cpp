@@ -61,13 +61,26 @@ std::vector<Polynomial> telling_polynomials(const MovingTriangle& q) {
   return all;
 }
 
+/// Each polynomial that is not zero once, whatever number it is multiplied by.
+std::vector<Polynomial> different(const std::vector<Polynomial>& all) {
+  std::vector<Polynomial> found;
+  for (const Polynomial& polynomial : all) {
+    if (polynomial.is_zero()) continue;
+    Polynomial one = primitive(polynomial.leading().sign() < 0 ? -polynomial : polynomial);
+    const auto is_one = [&](const Polynomial& other) { return other.coefficients() == one.coefficients(); };
+    if (std::none_of(found.begin(), found.end(), is_one)) found.push_back(std::move(one));
+  }
+  return found;
+}
+
 std::optional<AlgebraicNumber> contact_time(const MovingTriangle& q) {
   if (contains_origin(q, algebraic(0))) return algebraic(0);
   std::optional<AlgebraicNumber> first;
-  for (const Polynomial& polynomial : telling_polynomials(q)) {
-    if (polynomial.is_zero()) continue;
+  for (const Polynomial& polynomial : different(telling_polynomials(q))) {
     for (const AlgebraicNumber& root : roots_in_unit_interval(polynomial)) {
-      if ((first && !(root < *first)) || !contains_origin(q, root)) continue;
+      // The later ones are no less either.
+      if (first && !(root < *first)) break;
+      if (!contains_origin(q, root)) continue;
       first = root;
       break;
     }

@@ -30,6 +30,10 @@ Polynomial operator-(const Polynomial& a);
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 Polynomial derivative(const Polynomial& a);
 
+/// The polynomial times a positive number such that its coefficients are whole and have no common divisor. Not one
+/// answer depends on it but the time.
+Polynomial primitive(const Polynomial& a);
+
 /// A polynomial of greatest degree that divides both, up to a factor; not both are zero.
 Polynomial common_divisor(const Polynomial& a, const Polynomial& b);
 

@@ -50,12 +50,12 @@ PointOf<N> farthest_of_hull(const SetOf<N>& set, const PointOf<N>& d) {
 }
 
 template <class N>
-using SimplexOf = std::vector<PointOf<N>>;
+using WeightsOf = boost::container::static_vector<N, 4>;
 
 /// Weights of the point nearest to the origin in the plane, line or point through all corners; empty when they are
 /// not independent.
 template <class N>
-std::vector<N> affine_weights(const SimplexOf<N>& s) {
+WeightsOf<N> affine_weights(const SimplexOf<N>& s) {
   if (s.size() == 1) return {N(1)};
   const PointOf<N> u = s[1] - s[0], w = N(-1) * s[0];
   if (s.size() == 2) {
@@ -95,7 +95,7 @@ NearestPart<N> nearest_part(const SimplexOf<N>& s) {
     for (std::size_t i = 0; i < last; ++i)
       if ((bits >> i & 1U) != 0) part.push_back(s[i]);
     part.push_back(s[last]);
-    const std::vector<N> weight = affine_weights(part);
+    const WeightsOf<N> weight = affine_weights(part);
     if (weight.empty() || std::any_of(weight.begin(), weight.end(), [](const N& w) { return w < 0; })) continue;
     PointOf<N> point{};
     if (part.size() < 4)
@@ -152,11 +152,10 @@ PointOf<N> farthest(const SetOf<N>& set, const PointOf<N>& d) {
 }
 
 template <class N>
-NearnessOf<N> fine_nearness(const SetOf<N>& a, const SetOf<N>& b, double part, int most) {
+NearnessOf<N> fine_nearness(const SetOf<N>& a, const SetOf<N>& b, double part, int most, PointOf<N> direction) {
   NearnessOf<N> found;
   found.upper = -1;
   NearestPart<N> now;
-  PointOf<N> direction = {N(1), N(0), N(0)};
   for (int step = 0; step < most; ++step) {
     const PointOf<N> point = farthest(a, N(-1) * direction) - farthest(b, direction);
     const N lower = dot(point, direction) / length(direction);
@@ -174,6 +173,7 @@ NearnessOf<N> fine_nearness(const SetOf<N>& a, const SetOf<N>& b, double part, i
     if (now.corners.size() == 4) {
       found.meet = true;
       found.depth = depth_within(now.corners);
+      found.around = now.corners;
       found.upper = found.lower = 0;
       break;
     }
@@ -186,7 +186,8 @@ NearnessOf<N> fine_nearness(const SetOf<N>& a, const SetOf<N>& b, double part, i
 
 template FinePoint farthest(const FineSet&, const FinePoint&);
 template PointOf<long double> farthest(const SetOf<long double>&, const PointOf<long double>&);
-template FineNearness fine_nearness(const FineSet&, const FineSet&, double, int);
-template NearnessOf<long double> fine_nearness(const SetOf<long double>&, const SetOf<long double>&, double, int);
+template FineNearness fine_nearness(const FineSet&, const FineSet&, double, int, FinePoint);
+template NearnessOf<long double> fine_nearness(const SetOf<long double>&, const SetOf<long double>&, double, int,
+                                               PointOf<long double>);
 
 }  // namespace toccata::oracle

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include <boost/container/static_vector.hpp>
 #include <boost/multiprecision/gmp.hpp>
 
 #include "toccata/math/pose.hpp"
@@ -44,6 +45,10 @@ FineSet hull_set_of(const std::vector<Vec3>& world_vertices, double radius);
 template <class Number>
 PointOf<Number> farthest(const SetOf<Number>& set, const PointOf<Number>& direction);
 
+/// As many points as a simplex has corners.
+template <class Number>
+using SimplexOf = boost::container::static_vector<PointOf<Number>, 4>;
+
 /// The distance of two sets lies in [lower, upper]. When `meet`, a tetrahedron of points of A − B has the origin
 /// inside, at least `depth` from its faces; then so deep they overlap at least.
 template <class Number>
@@ -52,13 +57,16 @@ struct NearnessOf {
   Number upper = 0;
   Number depth = 0;
   bool meet = false;
-  PointOf<Number> direction{};  ///< that of the lower bound
+  PointOf<Number> direction{};  ///< that of the lower bound, from B to A
+  SimplexOf<Number> around;     ///< that tetrahedron
 };
 using FineNearness = NearnessOf<Fine>;
 
 /// By the search for the nearest point of A − B (GJK), which is exact but for the rounding of its numbers in what it
-/// proves: ends when upper − lower is below `part` of upper, when the origin is inside, or after `most` steps.
+/// proves: ends when upper − lower is below `part` of upper, when the origin is inside, or after `most` steps. Where it
+/// begins is a guess of the direction from B to A.
 template <class Number>
-NearnessOf<Number> fine_nearness(const SetOf<Number>& a, const SetOf<Number>& b, double part, int most);
+NearnessOf<Number> fine_nearness(const SetOf<Number>& a, const SetOf<Number>& b, double part, int most,
+                                 PointOf<Number> direction = {Number(1), Number(0), Number(0)});
 
 }  // namespace toccata::oracle

@@ -7,23 +7,19 @@
 #include "toccata/motion/rigid_motion.hpp"
 
 // Bodies that move and turn, slowly: 60 digits, and nothing of the library but the plain structs that hold its input.
-// No tree, no separating direction that is kept, no bound but how fast a point is.
+// No tree, and no bound but how fast points are and how their ways bend.
 namespace toccata::oracle {
 
-template <class Number>
-struct HalfSpaceOf {
-  PointOf<Number> point;
-  PointOf<Number> normal;
+struct FineHalfSpace {
+  FinePoint point;
+  FinePoint normal;
 };
 
 /// A convex set where it is at the start, and how it moves from there.
-template <class Number>
-struct BodyOf {
-  std::variant<SetOf<Number>, HalfSpaceOf<Number>> set;
+struct FineBody {
+  std::variant<FineSet, FineHalfSpace> set;
   RigidMove move;
 };
-using FineHalfSpace = HalfSpaceOf<Fine>;
-using FineBody = BodyOf<Fine>;
 
 /// The set at the part `time` of its move.
 FineBody moved(const FineBody& body, const Fine& time);
@@ -31,6 +27,9 @@ FineBody moved(const FineBody& body, const Fine& time);
 /// How near the two are at a time; of a half-space the height over it, which `lower` and `upper` both are. Not for two
 /// half-spaces.
 FineNearness nearness_at(const FineBody& a, const FineBody& b, const Fine& time);
+
+/// Whether they have a point in common then.
+bool meet_at(const FineBody& a, const FineBody& b, double time);
 
 /// The first contact. Free: they are apart at all times. Hit: apart before `lower`, and they meet by `upper`.
 /// Undecided: apart before `lower`; later they come so near that the subdivision ends.
@@ -41,8 +40,9 @@ struct FineContact {
 };
 
 /// Halves [0, 1]: in an interval they are apart when at its middle they are farther apart than points can travel in
-/// half of it. That is looked at in `long double` first, and believed where more than its rounding is left. Ends where
-/// intervals are narrower than `narrowest`; contact is looked for at their middles and ends.
+/// half of it, or so far along a direction that turns that they stay apart along it. That is looked at in `long
+/// double`, and believed where more than its rounding is left (quick_motion.hpp). Ends where intervals are narrower
+/// than `narrowest`, at least 2⁻⁴⁰; contact is looked for at their middles and ends.
 FineContact first_contact(const FineBody& a, const FineBody& b, double narrowest);
 
 }  // namespace toccata::oracle

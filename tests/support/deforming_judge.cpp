@@ -69,7 +69,13 @@ class ImpactJudge {
   ImpactJudge(const DeformingPair& meshes, std::span<const MeshImpact> found, FeatureJudge judge)
       : meshes_(meshes), a_(meshes.a), b_(meshes.b), found_(found), judge_(judge) {}
 
-  std::optional<std::string> verdict() {
+  ImpactVerdict verdict() {
+    const std::optional<std::string> wrong = fault();
+    return {wrong, judged_};
+  }
+
+ private:
+  std::optional<std::string> fault() {
     const auto before = [](const MeshImpact& x, const MeshImpact& y) {
       return std::tie(x.time.lower, x.time.upper, x.a, x.b) < std::tie(y.time.lower, y.time.upper, y.a, y.b);
     };
@@ -84,7 +90,6 @@ class ImpactJudge {
     return wrong_.empty() ? std::nullopt : std::optional(wrong_);
   }
 
- private:
   [[nodiscard]] bool are_asked_about(const FeatureLists& x, const MeshFeature& f, const FeatureLists& y,
                                      const MeshFeature& g) const {
     if (!meshes_.is_within_one) return true;
@@ -112,7 +117,10 @@ class ImpactJudge {
     const TimeOfImpact time = told(a, b);
     if (ways_are_apart(pair)) {
       if (time.hit) wrong_ = "a contact of features whose ways are apart";
-    } else if (judge_ == FeatureJudge::library) {
+      return;
+    }
+    ++judged_;
+    if (judge_ == FeatureJudge::library) {
       if (time != time_of_impact(pair)) wrong_ = "not what the two features alone are told: " + test::told(pair);
     } else if (const auto wrong = wrong_answer(pair, time)) {
       wrong_ = *wrong + ": " + test::told(pair);
@@ -164,6 +172,7 @@ class ImpactJudge {
   std::span<const MeshImpact> found_;
   FeatureJudge judge_;
   std::size_t matched_ = 0;
+  std::size_t judged_ = 0;
   std::string wrong_;
 };
 
@@ -205,9 +214,13 @@ std::optional<std::string> fault_of_approach(const Pair& pair, const MeshImpact&
 
 }  // namespace
 
+ImpactVerdict verdict_on_impacts(const DeformingPair& meshes, std::span<const MeshImpact> found, FeatureJudge judge) {
+  return ImpactJudge(meshes, found, judge).verdict();
+}
+
 std::optional<std::string> wrong_impacts(const DeformingPair& meshes, std::span<const MeshImpact> found,
                                          FeatureJudge judge) {
-  return ImpactJudge(meshes, found, judge).verdict();
+  return verdict_on_impacts(meshes, found, judge).wrong;
 }
 
 std::optional<std::string> wrong_approach(const VertexFace& pair, const MeshImpact& told, double separation) {

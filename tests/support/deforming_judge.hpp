@@ -21,6 +21,16 @@ struct DeformingPair {
 /// Who says of two features alone when they meet: the oracle, or the library's question about two features.
 enum class FeatureJudge { oracle, library };
 
+/// What is wrong with answers, nothing where they are right; and how many pairs of features, with ways that come near
+/// each other, were judged alone.
+struct ImpactVerdict {
+  std::optional<std::string> wrong;
+  std::size_t judged = 0;
+};
+
+/// Of `impacts` without a separation, by all pairs of features.
+ImpactVerdict verdict_on_impacts(const DeformingPair& meshes, std::span<const MeshImpact> found, FeatureJudge judge);
+
 /// What is wrong with `impacts` without a separation, judged by all pairs of features; nothing where it is right.
 std::optional<std::string> wrong_impacts(const DeformingPair& meshes, std::span<const MeshImpact> found,
                                          FeatureJudge judge);
