@@ -41,9 +41,9 @@ Subcommand add_crowd(CLI::App& app);
 Subcommand add_demo(CLI::App& app);
 
 /// As --help lists them.
-inline constexpr std::array all_subcommands = {add_check,     add_view,      add_distance, add_ray,     add_sweep,
-                                               add_walk,      add_faces,     add_cost,     add_plot,    add_nearest,
-                                               add_minkowski, add_subdivide, add_replay,   add_pairs,   add_inspect,
+inline constexpr std::array all_subcommands = {add_check,     add_view,      add_distance, add_ray,   add_sweep,
+                                               add_walk,      add_faces,     add_cost,     add_plot,  add_nearest,
+                                               add_minkowski, add_subdivide, add_replay,   add_pairs, add_inspect,
                                                add_tree,      add_decompose, add_crowd,    add_demo};
 
 /// What people read of an answer.

@@ -241,7 +241,7 @@ using SceneQuestions =
              QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
              QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>,
              QuestionAndReport<SubdivideQuestion, SubdivideReport>>;
-             QuestionAndReport<WalkQuestion, WalkReport>>;
+QuestionAndReport < WalkQuestion, WalkReport >> ;
 
 template <class... Listed>
 using QuestionVariant = std::variant<typename Listed::Question...>;

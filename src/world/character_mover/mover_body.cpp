@@ -45,7 +45,7 @@ constexpr int most_rounds_apart = 48;
 
 /// Where to move a body that meets a thing, for the two to part.
 Vec3 way_apart(const Aabb& body, const LevelElement& thing) {
-  if (const auto* floor = std::get_if<PosedHalfSpace>(&thing.set)) return normalized(floor->normal);
+  if (const auto* floor = std::get_if<PosedHalfSpace>(&thing.set.posed())) return normalized(floor->normal);
   const Vec3 way = normalized((body.lower + body.upper) - (thing.box.lower + thing.box.upper));
   return way == Vec3{} ? Vec3{0, 0, 1} : way;
 }
@@ -111,7 +111,7 @@ std::optional<MoverGap> MoverBody::core_gap(const Body& core, const LevelSet& se
 MoverGap MoverBody::overlap_at(const Vec3& position, const LevelElement& thing) const {
   const Set whole = at(whole_, position);
   const Manifold overlapping =
-      std::visit([](const auto& body, const auto& other) { return manifold(body, other); }, whole, thing.set);
+      std::visit([](const auto& body, const auto& other) { return manifold(body, other); }, whole, thing.set.posed());
   if (overlapping.count == 0 || overlapping.normal == Vec3{}) return gap_from_apart(position, thing);
   // They are not known to be apart, so a depth below 0 is rounding.
   MoverGap deepest{0, -overlapping.normal, point_at(position), 0};
@@ -134,7 +134,7 @@ MoverGap MoverBody::gap_from_apart(const Vec3& position, const LevelElement& thi
   for (int round = 0; round < most_rounds_apart; ++round) {
     const Vec3 apart = position + by * way;
     const Set core = at(core_, apart);
-    const auto gap = std::visit([&](const auto& body) { return core_gap(body, thing.set); }, core);
+    const auto gap = std::visit([&](const auto& body) { return core_gap(body, thing.set.posed()); }, core);
     if (!gap) {
       by *= 2;
       continue;
@@ -173,7 +173,7 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
     return {edge->distance - radius_ - thing.planes.radius, edge->normal,
             edge->foot + thing.planes.radius * edge->normal, edge->distance};
   const Set placed_core = at(core_, placed.position);
-  const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set); }, placed_core);
+  const auto gap = std::visit([&](const auto& core) { return core_gap(core, thing.set.posed()); }, placed_core);
   return gap ? *gap : overlap_at(placed.position, thing);
 }
 

@@ -20,8 +20,7 @@ class ElementSet {
   explicit ElementSet(LevelSet set) : set_(std::move(set)) {}
   explicit ElementSet(const Triangle& triangle) : triangle_(triangle) {}
 
-  // NOLINTNEXTLINE(google-explicit-constructor): it is that set.
-  operator const LevelSet&() const {
+  [[nodiscard]] const LevelSet& posed() const {
     if (!set_) set_.emplace(std::in_place_type<PosedPolytope>, triangle_);
     return *set_;
   }
