@@ -93,7 +93,8 @@ bool MoverWalk::stands_on_edge(const NearThing& near, const Vec3& position) cons
   if (!(dot(near.gap.normal, up) > 0x1p-6)) return false;
   const double lowest = dot(position, up) - depth_below_;
   if (!(dot(near.gap.point, up) - lowest <= setting_.step_height)) return false;
-  const std::vector<Vec3> normals = face_normals_at(near.thing->set, near.gap.point, near.gap.normal, setting_.skin);
+  const std::vector<Vec3> normals =
+      face_normals_at(near.thing->set.posed(), near.gap.point, near.gap.normal, setting_.skin);
   return std::any_of(normals.begin(), normals.end(), [&](const Vec3& normal) { return is_walkable(normal); });
 }
 
