@@ -240,8 +240,7 @@ using SceneQuestions =
              QuestionAndReport<DecomposeQuestion, DecomposeReport>,
              QuestionAndReport<MinkowskiQuestion, MinkowskiReport>,
              QuestionAndReport<CrowdWorldQuestion, CrowdWorldReport>, QuestionAndReport<SweepQuestion, SweepReport>,
-             QuestionAndReport<SubdivideQuestion, SubdivideReport>>;
-QuestionAndReport < WalkQuestion, WalkReport >> ;
+             QuestionAndReport<SubdivideQuestion, SubdivideReport>, QuestionAndReport<WalkQuestion, WalkReport>>;
 
 template <class... Listed>
 using QuestionVariant = std::variant<typename Listed::Question...>;
