@@ -63,10 +63,11 @@ void World::State::end_scheduled_step(std::size_t looked, std::span<const Undeci
     decided.sure_until = schedule_->step_after(steps);
     if (!is_told(decided.nearness)) schedule_->look_again(decided.pair, steps);
   }
-  // What is told is told at every step.
+  // What is told is told at every step. What was taken over from the step before has no other appointment.
   if (schedule_->count_flying() > 0)
     for (const DecidedPair& decided : decided_)
-      if (is_told(decided.nearness) && schedule_->are_flying(decided.pair)) schedule_->look_again(decided.pair, 1);
+      if ((is_told(decided.nearness) || decided.sure_until == 0) && schedule_->are_flying(decided.pair))
+        schedule_->look_again(decided.pair, 1);
   work_.bodies = count_;
   work_.tested = schedule_->count_tested();
   work_.looked = looked;

@@ -144,6 +144,23 @@ TEST(SpaceTime, AsksAFourthOrLessWherePairsStayInContact) {
   EXPECT_GT(twins.asked_plain(), 4 * twins.asked_scheduled());
 }
 
+TEST(SpaceTime, APairWhoseBoxesOverlapIsNotForgottenWhileItPauses) {
+  Twins twins({});
+  Body ball{Sphere(0.1), Pose::translation(0.8, -0.8, 0)};
+  ball.max_speed = 0.1;
+  twins.add(Body{Capsule({-1, -1, 0}, {1, 1, 0}, 0.05)});
+  twins.add(ball);
+  double way = 0;
+  for (int step = 1; step <= 24; ++step) {
+    way += step <= 3 ? 0.01 : step <= 7 ? 0 : 0.065;
+    twins.both([&](World& world, const std::vector<BodyId>& ids) {
+      world.move(ids[1], Pose::translation(0.8 - way, way - 0.8, 0));
+    });
+    twins.step();
+  }
+  EXPECT_GT(twins.events(), 0);
+}
+
 TEST(SpaceTime, WhatShrinksAwayFromWhatItIsDeepInIsFoundToLeave) {
   Twins twins({});
   twins.add(Body{Box({1, 1, 1})});
