@@ -1,4 +1,8 @@
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +15,6 @@
 
 namespace toccata::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// How many times as far as to a place that is free a character may be pushed, besides the skin.
 constexpr double recovery_factor = 10;
@@ -77,7 +79,7 @@ std::string fault_of_nearness(const JudgedStep& judged) {
 std::string fault_of_length(const JudgedStep& judged) {
   const double rise = dot(judged.own, judged.up), asked = judged.asked, skin = judged.options.skin;
   const double wanted = length(judged.level_part(judged.motion)), whole = length(judged.motion);
-  const double slope = std::tan(judged.options.max_slope_degrees * pi / 180);
+  const double slope = std::tan(judged.options.max_slope_degrees * std::numbers::pi / 180);
   if (rise > std::max(asked, 0.0) + slope * wanted + (judged.step.stepped ? judged.options.step_height : 0) + skin)
     return fmt::format("rose by {}", rise);
   // A wall that leans leads one aside who is put down beside it, by as much as he has gone.
@@ -100,7 +102,7 @@ std::string fault_of_slide(const JudgedStep& judged) {
   const Vec3 lost = judged.own - (judged.walks() ? judged.level_part(judged.motion) : judged.motion);
   const Vec3 across = normalized(cross(normal, judged.up));
   const double height = dot(normal, judged.up);
-  const bool is_walkable = height >= std::cos(judged.options.max_slope_degrees * pi / 180);
+  const bool is_walkable = height >= std::cos(judged.options.max_slope_degrees * std::numbers::pi / 180);
   const bool is_steep = height > 0 && !is_walkable;
   if (std::abs(dot(lost, across)) > tolerance) return fmt::format("it lost {} along a wall", dot(lost, across));
   const Vec3 along = cross(across, normal);
@@ -142,7 +144,7 @@ std::string fault_of_repeating(const JudgedStep& judged) {
 }
 
 Vec3 level_motion(Random& random, double slowest) {
-  const double angle = random.between(-pi, pi);
+  const double angle = random.between(-std::numbers::pi, std::numbers::pi);
   return random.between(slowest, 0.3) * Vec3{std::cos(angle), std::sin(angle), 0};
 }
 

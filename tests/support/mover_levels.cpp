@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "support/data.hpp"
 #include "toccata/core/random.hpp"
@@ -11,12 +12,10 @@
 namespace toccata::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 SceneInstance placed(Model model, const Pose& pose = {}) { return {std::move(model), pose}; }
 
 Vec3 level_direction(Random& random) {
-  const double angle = random.between(-pi, pi);
+  const double angle = random.between(-std::numbers::pi, std::numbers::pi);
   return {std::cos(angle), std::sin(angle), 0};
 }
 
