@@ -1,17 +1,13 @@
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+#include "support/mover_levels.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/query/distance.hpp"
-
-#include "support/mover_levels.hpp"
 
 namespace toccata::test {
 namespace {
