@@ -151,7 +151,7 @@ HALL = scene(
 HALL_WALK = "--from -3 0 0 --to 3.5 1.2 0.4 --stride 0.06 --radius 0.3 --height 1.4"
 
 # Walks: a level, words of the command, and how they are shown.
-WALKS = {"walk": (HALL, HALL_WALK, "moment=150&grid=0&off=distance,begin,persist,end")}
+WALKS = {"walk": (HALL, HALL_WALK, "moment=24&camera=0,0,0.1,2.3,-1.9,0.7&grid=0&off=distance,begin,persist,end")}
 
 # The cloth of the demo as it lies at last: how it is shown.
 CLOTHS = {"cloth": "grid=0&finding=0&camera=0.05,0,-0.06,0.5,2.3,0.3"}
