@@ -43,12 +43,12 @@ Direction4 rounded_direction(const WholeVector4& v) {
 
 /// The product of two such directions is off by less: eight factors by 2^-54 each, and by the roundings of four
 /// products and three sums, none greater than 4, which are 16 · 2^-53 at most.
-constexpr double height_error = 0x1p-48;
+constexpr double sign_error_of_height = 0x1p-48;
 
 /// The sign of the product where it is certain, else zero.
 Sign certain_height_sign(const Direction4& a, const Direction4& b) {
   const double height = (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
-  return height > height_error ? Sign::positive : height < -height_error ? Sign::negative : Sign::zero;
+  return height > sign_error_of_height ? Sign::positive : height < -sign_error_of_height ? Sign::negative : Sign::zero;
 }
 
 /// The same direction in the least whole numbers.

@@ -10,6 +10,9 @@ namespace toccata {
 namespace {
 
 constexpr double never = infinity;
+/// A box is told from a single item by the item's own directions where it is no more than this part of it, along all
+/// directions together.
+constexpr double part_of_item = 0.5;
 constexpr std::uint32_t lanes = WideBlock::width;
 
 bool comes_later(const SweptFrontier::Entry& a, const SweptFrontier::Entry& b) {
@@ -87,7 +90,8 @@ double SweptWalk::extent(const Heights& heights) const {
 std::span<const SweptDirection> SweptWalk::directions_beside(const SweptFrontier::Entry& entry, std::size_t side,
                                                              const std::array<Heights, 2>& along) const {
   const std::size_t other = 1 - side;
-  if (items_ == nullptr || !is_item(other, entry.at[other]) || 2 * extent(along[side]) > extent(along[other]))
+  if (items_ == nullptr || !is_item(other, entry.at[other]) ||
+      extent(along[side]) > part_of_item * extent(along[other]))
     return {};
   return items_->directions_beside(other, item(other, entry.at[other]));
 }

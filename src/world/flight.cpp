@@ -56,7 +56,7 @@ double way_beyond_velocity(const SpaceTimeMotion& motion, double steps) {
 }
 
 /// What is said about how a body goes on.
-struct Expectation {
+struct ExpectedFlight {
   SpaceTimeMotion motion{};
   Mat3 turning{{Vec3{}, Vec3{}, Vec3{}}};
   double turning_speed = 0;
@@ -64,7 +64,7 @@ struct Expectation {
 
 /// Whose ways in a step differ by no more than b from one step to the next goes in the k-th step from now within b k of
 /// the last way.
-Expectation expectation_of(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
+ExpectedFlight expectation_of(const Body& body, const TurningParts& parts, const LastSights& sights, double steps) {
   constexpr double steady = 1.25;  // turning goes on as it was, in another direction at each step
   const Vec3 way = sights.now.centre - sights.before.centre;
   const Vec3 change = way - (sights.before.centre - sights.earlier.centre);
@@ -73,12 +73,12 @@ Expectation expectation_of(const Body& body, const TurningParts& parts, const La
   const double more_turning =
       steady * norm_of(minus(turning, minus(sights.before.linear, sights.earlier.linear))) * parts.radius;
   const double all = bending + more_turning;
-  const Expectation on{{way, 0, 0.5 * all, all}, turning, norm_of(turning) * parts.radius * (1 + 0x1p-20)};
+  const ExpectedFlight on{{way, 0, 0.5 * all, all}, turning, norm_of(turning) * parts.radius * (1 + 0x1p-20)};
   // Who promises a speed alone may turn at any time.
   const bool is_slower =
       (std::isinf(body.max_acceleration) && !std::isinf(body.max_speed)) ||
       body.max_speed < length(way) + on.turning_speed + way_beyond_velocity(on.motion, steps) / steps;
-  return is_slower ? Expectation{{{}, 0, body.max_speed, 0}} : on;
+  return is_slower ? ExpectedFlight{{{}, 0, body.max_speed, 0}} : on;
 }
 
 /// Of a convex shape around a point, in its own frame.
@@ -142,7 +142,7 @@ std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, c
   if (std::isinf(parts.magnitude)) return flight.is_at_rest_ ? std::optional(flight) : std::nullopt;
   if (!has_small_entries(sights.now.linear)) return std::nullopt;
   flight.is_rigid_ = parts.inner > 0 && is_nearly_rotation(sights.now.linear);
-  const Expectation expected = flight.is_at_rest_ ? Expectation{} : expectation_of(body, parts, sights, steps);
+  const ExpectedFlight expected = flight.is_at_rest_ ? ExpectedFlight{} : expectation_of(body, parts, sights, steps);
   flight.motion_ = expected.motion;
   flight.turning_ = expected.turning;
   flight.turning_speed_ = expected.turning_speed;

@@ -117,6 +117,16 @@ TEST(ShallowDepthOf, GrownShapesIsBetweenNeighbouringDoubles) {
   }
 }
 
+TEST(ShallowDepthOf, CoresThatNearlyTouchIsAlongTheirTrueDirection) {
+  const Vec3 half{0.3, 0.1, 0.7};
+  const PosedPolytope capsule(Capsule(-half, half, 0.5));
+  for (const double away : {1e-10, 1e-16, 1e-20, 1e-28, 1e-30, 1e-32, 1e-60}) {
+    const Penetration found = penetration(capsule, PosedPolytope(Sphere(0.5, away * Vec3{1, 0.37, -0.11})));
+    EXPECT_NEAR(dot(found.direction, half), 0, 1e-15) << away;
+    EXPECT_NEAR(dot(found.direction, found.direction), 1, 1e-15) << away;
+  }
+}
+
 TEST(ShallowDepthOf, HullsIsFoundWithoutExactSigns) {
   ShallowPairs pairs(33);
   int found = 0;
@@ -136,7 +146,8 @@ TEST(PreciseFacet, IsNotTakenForTheNearestWhereItIsSmallForItsDistance) {
   VertexPairs end;  // of the facet across x: the far end of the one, a corner of the other
   for (const Index corner : {1U, 3U, 5U}) end.append(corner, 0);
   const std::optional<PreciseFacet> facet = precise_facet(plank, other, end);
-  ASSERT_TRUE(!facet || !is_certainly_nearest(plank, other, *facet));
+  ASSERT_TRUE(facet.has_value());
+  EXPECT_FALSE(is_certainly_nearest(plank, other, *facet));
   EXPECT_NEAR(penetration(plank, other).upper, 0.015, 1e-15);
 }
 

@@ -105,6 +105,17 @@ TEST(SizeRatios, CastsAreThoseOfThePairs) {
     }
 }
 
+TEST(SizeRatios, ATriangleWithoutAreaIsToldFromBoxesBesideIt) {
+  const Model ball(scaled_mesh(icosphere_mesh(1, 5), 1e-2));
+  Workspace workspace;
+  for (const Vec3& end : {Vec3{1, 0, 0}, Vec3{1, 1, 0}}) {
+    const Model needle(TriangleMesh({{0, 0, 0}, 0.5 * end, end}, {{0, 1, 2}}));
+    const PairQuery query{Pose{}, Pose::translation(0.5, 0.0, 0.009), Solid::none, Solid::none};
+    EXPECT_EQ(overlap(needle, ball, query, workspace), end.y == 0);
+    EXPECT_LT(workspace.counts().items, 4000U);
+  }
+}
+
 /// Boxes and pairs of triangles that a yes or no about a small ball just above or just within a slanted face takes.
 WalkCounts counts_of_small_ball(double ratio, double height) {
   const Model floor(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}));

@@ -155,7 +155,7 @@ std::vector<PairQuery> queries(Random& random, const Scene& of) {
 SceneQuestion question(Random& random, const Scene& of) {
   const bool yes = random.below(2) == 0;
   const double reach = random.below(3) == 0 ? std::numeric_limits<double>::infinity() : length(random);
-  switch (random.below(12)) {
+  switch (random.below(14)) {
     case 0: {
       CheckQuestion check{yes ? Touching::ignore : Touching::count, random.below(2) == 0, random.below(2) == 0, {}, {}};
       if (!yes) check.clearance = reach;
@@ -203,9 +203,30 @@ SceneQuestion question(Random& random, const Scene& of) {
                                 random.bits(), 1};
     case 7:
       return InspectQuestion{false, random.below(4) == 0, yes};
+    case 11: {
+      SubdivideQuestion subdivide;
+      subdivide.scheme = yes ? SubdivisionScheme::loop : SubdivisionScheme::catmull_clark;
+      subdivide.within = 0.25 * length(random);
+      subdivide.max_triangles = 4096;
+      if (yes) subdivide.crease_angle = random.between(0, 90);
+      return subdivide;
+    }
+    case 12: {
+      WalkQuestion walk;
+      walk.from = vector(random, false);
+      walk.motions = points(random, 3, false);
+      return walk;
+    }
     default:
       return NearestQuestion{points(random, 4, true), 1 + random.below(3), reach, yes};
   }
+}
+
+/// A surface that is subdivided has to be a mesh, and alone.
+void make_cage_of(Scene& scene, Random& random) {
+  scene.objects.resize(1);
+  scene.objects[0].shape = std::make_shared<const TriangleMesh>(test::sphere_mesh(1 + random.unit(), 2));
+  scene.objects[0].pose = Pose{test::random_rotation(random), vector(random, false)};
 }
 
 /// Its answer tells times.
@@ -222,6 +243,7 @@ TEST(CaseFile, EveryQuestionAboutEveryShapeHasTheSameAnswerToTheBit) {
     Random random(seed);
     Case made{scene(random, 2 + random.below(3)), {}, {}};
     made.question = question(random, made.scene);
+    if (std::holds_alternative<SubdivideQuestion>(*made.question)) make_cage_of(made.scene, random);
     made.answer = replay(made).answer;
     if (!made.answer.starts_with("{\"error\"")) ++answered[made.question->index()];
     write_case(made, folder / "case.json");

@@ -139,7 +139,8 @@ TEST(WorldPage, PutsBodiesWhereTheyAre) {
 
 TEST(WorldPage, ASurfaceIsThereAtAllMoments) {
   Intersection intersection;
-  intersection.recording.add({"Swept volume", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}, {4, 0, 1}, {0, 4, 1}}});
+  intersection.recording.add(
+      WorldRecording::Surface{"Swept volume", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}, {4, 0, 1}, {0, 4, 1}}});
   const WrittenWorld page(world_page(intersection.recording));
   const Json& layer = page.header["layers"].back();
   EXPECT_EQ(layer["kind"], "triangles");

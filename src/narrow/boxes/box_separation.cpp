@@ -174,6 +174,8 @@ bool others_are_deeper(const BoxView& a, const BoxView& b, const RigidBoxAxes& a
                        const PreciseFacet& facet) {
   const double depth = facet.separation.upper, slack = a.box->slack + b.box->slack;
   if (!(facet.inner_radius >= 0x1p-20 * depth)) return false;
+  // Two edges that are nearly parallel may have a facet of any normal there, which is by this nearer.
+  if (!(slack <= 0x1p-21 * depth)) return false;
   if (!(slack <= 0x1p-35 * std::min(least_half_extent(a), least_half_extent(b)))) return false;
   const double sizes = sum(a.box->half_extents) + sum(b.box->half_extents), enough = (1 + 0x1p-18) * depth;
   return LowerBound(axes, b.box->half_extents, sizes).but_for(axis, enough) >= enough;

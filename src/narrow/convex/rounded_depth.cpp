@@ -77,12 +77,19 @@ Penetration rounded_depth(const ExactNearest& nearest, double radius_a, double r
   return result;
 }
 
+/// It is known so well that its high parts are its direction but for their rounding. Where cores nearly touch it is the
+/// difference of much larger numbers.
+bool tells_direction(const BoundedVector& difference, double squared) {
+  const double most = std::max({difference[0].error, difference[1].error, difference[2].error});
+  return squared > 0x1p-900 && squared < 0x1p900 && 4 * most <= 0x1p-54 * std::sqrt(squared);
+}
+
 std::optional<Penetration> rounded_depth(const CertainNearest& nearest, double radius_a, double radius_b) {
   const auto depth = bracket_above_zero((exactly(radius_a) + exactly(radius_b)) - nearest.distance);
   if (!depth) return {};
   const Vec3 from_b = high_parts(nearest.difference);
   const double squared = dot(from_b, from_b);
-  if (!(squared > 0x1p-900 && squared < 0x1p900)) return {};
+  if (!tells_direction(nearest.difference, squared)) return {};
   Penetration result;
   result.direction = (-1 / std::sqrt(squared)) * from_b;
   result.on_a = high_parts(nearest.on_a) + radius_a * result.direction;

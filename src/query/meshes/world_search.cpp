@@ -120,6 +120,10 @@ WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle) {
   WideProbe probe;
   for (const Vec3& direction : prism_directions(triangle.vertex))
     add_usable(along(mesh, direction, triangle), mesh, probe);
+  // One without area has no normals, but a box.
+  if (probe.count < 4)
+    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+      add_usable(along(mesh, axis, triangle), mesh, probe);
   return probe;
 }
 

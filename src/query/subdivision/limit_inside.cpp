@@ -16,7 +16,7 @@ namespace {
 constexpr double share_of_gap = 0.25;
 
 /// What witness points are off by, in units of the greatest coordinate: ten times what `distance` promises.
-constexpr double witness_share = 1e-11;
+constexpr double inside_witness_share = 1e-11;
 
 /// Deeper than this doubles do not resolve what is near a vertex.
 constexpr int deepest_around_vertex = 60;
@@ -55,7 +55,7 @@ bool stays_clear(const LeafMesh& leaves, std::span<const RoughPoint> points) {
 RoughPoint point_of(const Model& model, const Pose& pose) {
   const Vec3 from = transform(pose, Vec3{});
   const Vec3 found = distance(Point(from), model, {.pose_b = pose, .solid_b = Solid::none}).on_b;
-  return {found, witness_share * std::max(largest_magnitude(found), largest_magnitude(from))};
+  return {found, inside_witness_share * std::max(largest_magnitude(found), largest_magnitude(from))};
 }
 
 /// Faces that touch the vertex, so that the next level has it again and what its bound needs.
