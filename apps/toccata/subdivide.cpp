@@ -84,16 +84,17 @@ int run_subdivide(const SubdivideArguments& arguments) {
 std::string table_of(const CheckInput&, const SubdivideReport& report) {
   std::string text = fmt::format("{}, {} cage of {}", printable(report.cage), report.closed ? "a closed" : "an open",
                                  counted(report.faces, "face"));
-  text += report.mesh ? ": " + limit_text(*report.mesh) : " and the other: " + gap_text(report);
+  text += report.mesh ? ": " + limit_text(*report.mesh) : ", and the other object: " + gap_text(report);
   const Status status = report.mesh ? report.mesh->status : report.gap->status;
   if (status == Status::not_converged)
     text += fmt::format(".\n{:.3g} was asked for, and not reached: {}", report.within,
-                        report.mesh ? "raise --triangles or ask for less" : "rounding, or --triangles, ended it");
+                        report.mesh ? "raise --triangles or --within" : "rounding, or --triangles, ended it");
   return text + ".\n";
 }
 
 Summary summary_of(const SubdivideReport& report) {
-  if (report.mesh) return {counted(report.mesh->mesh.triangle_count(), "triangle")};
+  if (report.mesh)
+    return {counted(report.mesh->mesh.triangle_count(), "triangle"), report.mesh->status == Status::not_converged};
   return {report.gap->lower > 0 ? "apart" : "in contact", report.gap->lower == 0};
 }
 
@@ -117,7 +118,7 @@ Subcommand add_subdivide(CLI::App& app) {
   subdivide
       ->add_option("--crease-angle", arguments->question.crease_angle,
                    "edges whose faces turn by more than so many degrees are creases")
-      ->check(CLI::Range(0, 180));
+      ->check(CLI::Range(0.0, 180.0));
   subdivide->add_flag("--sharp-corners", arguments->sharp_corners,
                       "vertices of one face on a border stay where they are");
   subdivide->add_flag("--both", arguments->question.both, "the second object is a cage, too");
@@ -132,7 +133,8 @@ Subcommand add_subdivide(CLI::App& app) {
   subdivide->footer(with_name(
       "What is told is proved of the limit surface (docs/methods/subdivision-surfaces.md). Of two objects the "
       "first is a cage.\n\n"
-      "Exit code: 0; 1 where two objects meet or it is undecided; 2 for trouble.\n\nExample:\n"
+      "Exit code: 0; 1 where two objects meet or it is undecided, or the mesh is farther off than asked; 2 for "
+      "trouble.\n\nExample:\n"
       "  {0} subdivide cage.obj --within 0.1mm --unit mm -o surface.obj\n"
       "  {0} subdivide cage.obj part.stl --within 1e-6\n"
       "  {0} subdivide cage.obj --crease-angle 60 -o surface.glb"));

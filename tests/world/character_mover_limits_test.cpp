@@ -207,6 +207,26 @@ TEST(CharacterMoverLimits, KeepsTheGroundBesideAWallThatLeans) {
   EXPECT_LT(distance_from_level(level, capsule(), state.pose), 1.125 * skin);
 }
 
+TEST(CharacterMoverLimits, KeepsTheGroundWhateverAxisIsUp) {
+  const double down = 12 * 0.017453292519943295;
+  for (const Vec3& way : {Vec3{1, 2, 3}, Vec3{-0.3, 0.2, 0.9}, Vec3{1, 1, 1}, Vec3{0, 0, 1}}) {
+    const Vec3 up = normalized(way), ahead = normalized(cross(up, Vec3{1, 0, 0}));
+    const Vec3 slope = std::cos(down) * up + std::sin(down) * ahead;
+    const SceneIndex level = scene({{HalfSpace({}, slope), {}}});
+    const Model ball(Sphere(0.4));
+    const Vec3 start = 0.6 * slope;
+    const MoverOptions options{.up = up};
+    State state =
+        move_character(level, ball, State{Pose::translation(start.x, start.y, start.z)}, -0.4 * up, options).state;
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 motion = i % 4 == 3 ? Vec3{} : 0.1 * ahead;
+      state = move_character(level, ball, state, motion, options).state;
+      ASSERT_TRUE(state.ground) << i << ", up " << way.x << ' ' << way.y << ' ' << way.z;
+    }
+    EXPECT_GT(dot(state.pose.offset, ahead), 2.8);
+  }
+}
+
 TEST(CharacterMoverLimits, TellsMoreOfWhatIsAskedWrongly) {
   const SceneIndex level = scene({floor_below()});
   const double nan = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();

@@ -82,10 +82,11 @@ class WalkUnderWay {
   /// Whether the last step brought it nearer, or down to something.
   bool has_got_on() {
     const double least = question().stride / 1000, left = length(level_way());
-    const bool is_nearer = left <= nearest_ - least;
+    const bool is_nearer = left < nearest_ && left <= nearest_ - least;
     if (is_nearer) nearest_ = left;
     if (state_.ground) past_all_ = 0;
-    if (state_.ground || fallen_ < least) return is_nearer;
+    const bool has_fallen = falling_ > 0 && fallen_ >= std::min(least, falling_ / 2);
+    if (state_.ground || !has_fallen) return is_nearer;
     past_all_ = is_above_something() ? 0 : past_all_ + 1;
     return true;
   }

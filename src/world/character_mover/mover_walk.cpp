@@ -74,7 +74,9 @@ std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, const Vec3& mo
   Sliding way{{position, {}}, -drop * setting_.up, Footing::free, 0x1p-40 * drop};
   for (int bend = 0; bend <= setting_.max_slides && goes_on(way); ++bend) {
     const Vec3 aside = horizontal_part(way.end.position - position, setting_.up);
-    if (length(aside) > longest || dot(aside, motion) > 0x1p-6 * length(aside) * longest) return {};
+    const double off = length(aside);
+    const bool is_seen = off > 0x1p-8 * setting_.skin;  // less is rounding, where `up` is no axis
+    if (is_seen && (off > longest || dot(aside, motion) > 0x1p-6 * off * longest)) return {};
     if (ground_at(way.end.position)) return way.end;
   }
   return {};
