@@ -312,6 +312,12 @@ export interface Report {
   faces?: { kind: string }[];
   point?: { position: Vec; side: string };
   steps?: { pairs: WorldPair[] }[]; // of a World, by moment
+  cage?: { name: string; faces: number; closed: boolean };
+  gap?: { lower: number; upper: number; on_mesh: Vec; on_other: Vec; distance_to_limit: number; level: number; status: string };
+  triangles?: unknown[];
+  distance_to_limit?: number;
+  deepest_level?: number;
+  status?: string;
 }
 
 export class PageData {

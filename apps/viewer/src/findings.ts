@@ -2,7 +2,7 @@
 // of the engine's words and numbers; nothing is computed but how a number is written.
 import type { Distance, Header, Pair, PageData, Penetration, Report, WorldPair } from './data';
 import { ofInspected } from './inspected';
-import { ofParts, ofSum } from './made';
+import { ofParts, ofSubdivided, ofSum } from './made';
 import { ofCosts, ofTrees } from './measured';
 import { countText, directionText, lengthText, numberText, vectorText } from './words';
 
@@ -327,6 +327,7 @@ const kinds: Record<string, (data: PageData) => Findings> = {
   'toccata/hierarchy/1': ofTrees,
   'toccata/decompose/1': ofParts,
   'toccata/minkowski/1': ofSum,
+  'toccata/subdivide/1': ofSubdivided,
 };
 
 /// The pairs of a World, step by step.

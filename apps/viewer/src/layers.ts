@@ -52,7 +52,8 @@ export function roleColour(theme: Theme, role: string, stepNumber = 0): number {
   return ofRole[role] ?? stepColours[stepNumber % stepColours.length];
 }
 
-const colourOf = (layer: Layer, style: LayerStyle) => roleColour(style.theme, layer.role, style.stepNumber);
+/// What goes on through moments keeps its colour.
+const colourOf = (layer: Layer, style: LayerStyle) => roleColour(style.theme, layer.role, layer.moments ? 0 : style.stepNumber);
 
 /// The numbers of the layer, or of its step; `width` numbers make an item.
 function numbersOf(layer: Layer, { data }: Drawing, style: LayerStyle, width: number): Float32Array {

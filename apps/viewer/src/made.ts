@@ -1,4 +1,5 @@
-// What the page lists of questions whose answers are shapes: of `decompose` every convex part, of `minkowski` the sum.
+// What the page lists of questions whose answers are shapes: of `decompose` every convex part, of `minkowski` the sum,
+// of `subdivide` the mesh, or how far the limit surface is from the other object.
 // The shapes themselves are objects of the page.
 import type { PageData, Report } from './data';
 import type { Finding, Findings, Part } from './findings';
@@ -56,4 +57,32 @@ export function ofSum({ report }: PageData): Findings {
     a: 2, ...plain, size: 0,
   };
   return { all: [sum], name: 'Sum', summary: [what], none: 'There is no sum.', orders: ['listed'], shown: [] };
+}
+
+const proof = (status: string | undefined) => (status === 'exact' ? 'proved' : 'proved; less near than asked, as more triangles or faces were not allowed');
+
+function ofLimitMesh({ unit, cage, triangles, distance_to_limit: near = 0, deepest_level: level = 0, status }: Report): Finding {
+  const what = countText(triangles?.length ?? 0, 'triangle');
+  return {
+    row: [{ object: 0 }], what, sentence: [{ object: 0 }, ` is nowhere farther than ${lengthText(near, unit)} from the limit surface.`],
+    facts: facts([`${what}, the smallest refined ${countText(level, 'time')}`, `of ${cage?.closed ? 'a closed' : 'an open'} cage of ${countText(cage?.faces ?? 0, 'face')}`, proof(status)]),
+    a: 0, ...plain, size: 0,
+  };
+}
+
+function ofLimitGap({ unit }: Report, gap: NonNullable<Report['gap']>): Finding {
+  const meets = gap.upper === 0;
+  const far = meets ? 'meet' : `from ${numberText(gap.lower)} to ${lengthText(gap.upper, unit)} apart`;
+  return {
+    row: [{ object: 0 }, ' – ', { object: 1 }], what: far,
+    sentence: ['The limit surface of ', { object: 0 }, ' and ', { object: 1 }, meets ? ' meet.' : ` are ${far}.`],
+    facts: facts([...(meets ? [] : [`from ${vectorText(gap.on_mesh)} to ${vectorText(gap.on_other)}`]), `refined ${countText(gap.level, 'time')} there`, proof(gap.status)]),
+    a: 0, b: 1, ...plain, counts: meets, gap: gap.upper, size: 0,
+  };
+}
+
+/// `subdivide`; of one cage the mesh is the object, else the cage and the other are.
+export function ofSubdivided({ report }: PageData): Findings {
+  const found = report.gap ? ofLimitGap(report, report.gap) : ofLimitMesh(report);
+  return { all: [found], name: report.gap ? 'Distance' : 'Mesh', summary: [found.what], none: 'There is no mesh.', orders: ['listed'], shown: [] };
 }
