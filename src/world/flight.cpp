@@ -32,7 +32,12 @@ double norm_of(const Mat3& matrix) {
 /// Poses from floats are off by 2⁻²².
 constexpr double most_deformed = 0x1p-20;
 
-bool is_nearly_rotation(const Mat3& linear) { return norm_of(minus(transpose(linear) * linear, {})) <= most_deformed; }
+/// ‖R Rᵀ − I‖ is ‖RᵀR − I‖.
+bool is_nearly_rotation(const Mat3& linear) {
+  const auto off = [&](int i, int j) { return dot(linear[i], linear[j]) - (i == j ? 1 : 0); };
+  const Vec3 lengths{off(0, 0), off(1, 1), off(2, 2)}, angles{off(0, 1), off(1, 2), off(2, 0)};
+  return dot(lengths, lengths) + 2 * dot(angles, angles) <= most_deformed * most_deformed;
+}
 
 double magnitude_of(const Aabb& box) {
   return largest_magnitude(magnitudes(box.lower)) + largest_magnitude(magnitudes(box.upper));
@@ -125,9 +130,10 @@ double Flight::turning_speed(const TurningParts& parts, const Vec3& along) const
 
 bool Flight::goes_on(const TurningParts& parts, const Sight& now, double step) {
   if (is_at_rest_ && now == last_) return true;
-  if (!has_small_entries(now.linear) || std::isinf(parts.radius)) return false;
-  if (is_rigid_ && now.linear != last_.linear && !is_nearly_rotation(now.linear)) return false;
-  const double moved = length((now.centre - last_.centre) - motion_.velocity);
+  // The numbers of what is nearly a rotation are small.
+  if (!(is_rigid_ ? is_nearly_rotation(now.linear) : has_small_entries(now.linear))) return false;
+  if (std::isinf(parts.radius)) return false;
+  const double moved = plain_length((now.centre - last_.centre) - motion_.velocity);
   const double turned = norm_of(minus(minus(now.linear, last_.linear), turning_));
   const double off = (moved + turned * parts.radius) * (1 + 0x1p-40) + 0x1p-46 * magnitude_;
   const double allowed = motion_.velocity_error + (step - 0.5) * motion_.max_acceleration;
@@ -149,7 +155,8 @@ std::optional<Flight> flight_from(const Body& body, const TurningParts& parts, c
   flight.magnitude_ = 64 * parts.magnitude + sum_of_magnitudes(sights.now.centre) +
                       steps * (sum_of_magnitudes(expected.motion.velocity) + expected.turning_speed) +
                       way_beyond_velocity(expected.motion, steps);
-  if (!(flight.magnitude_ < 0x1p400)) return std::nullopt;
+  // Squares neither overflow nor underflow.
+  if (!(flight.magnitude_ < 0x1p400 && flight.magnitude_ > 0x1p-400)) return std::nullopt;
   flight.motion_.position_error = 0x1p-36 * flight.magnitude_;
   return flight;
 }

@@ -9,7 +9,7 @@ double FlightPace::cost_of(const StepWork& work) {
   // The broad phase keeps what rests when few move.
   const bool are_few = of(work.placed, 1) < 0.12 * of(work.bodies, 1);
   const double broad = are_few ? of(work.bodies, 20) + of(work.placed, 500) : of(work.bodies, 150);
-  return (work.placed == 0 ? 0 : broad) + of(work.started, 300) + of(work.tested, 30) + of(work.looked, 30) +
+  return (work.placed == 0 ? 0 : broad) + of(work.started, 400) + of(work.tested, 50) + of(work.looked, 30) +
          of(work.asked, 200);
 }
 
