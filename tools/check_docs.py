@@ -118,9 +118,9 @@ class Checker:
         run = subprocess.run([self.compiler, "-std=c++20", *warnings, *self.first(text), source, *want, *self.flags], capture_output=True, text=True)
         return None if run.returncode == 0 else f"does not compile\n{run.stderr}"
 
-    def compile_together(self, blocks):
+    def compile_together(self, blocks, name):
         """Makes the program of blocks that include the same; the complaints."""
-        source = self.folder / f"{blocks[0].file.stem}{blocks[0].line}.cpp"
+        source = self.folder / f"{name}.cpp"
         complaint = self.compile(joined(blocks), source, ["-o", source.with_suffix("")])
         if complaint:
             return [f"{blocks[0].where()}, with others that include the same: {complaint}"]
@@ -134,7 +134,7 @@ class Checker:
         for block in (b for page in pages for b in page if b.is_program()):
             alike.setdefault(block.includes(), []).append(block)
         programs = [same[i:i + MOST_JOINED] for same in alike.values() for i in range(0, len(same), MOST_JOINED)]
-        found = pool.map(self.compile_together, sorted(programs, key=len, reverse=True))
+        found = pool.map(self.compile_together, sorted(programs, key=len, reverse=True), range(len(programs)))
         return [complaint for complaints in found for complaint in complaints]
 
     def compare(self, block, run):
