@@ -338,7 +338,8 @@ def check_motion():
 
 def check_sweeps():
     made = report("motion", "--task", "bodies", "--count", "20", "--rounds", "1")
-    assert [row["set"] for row in made["results"]] == ["translations", "rotations", "thin boxes", "thin walls", "rods"]
+    assert [row["set"] for row in made["results"]] == [
+        "translations", "rotations", "thin boxes", "thin walls", "rods", "spinning round"]
     for row in made["results"]:
         assert row["library"] == "toccata" and row["queries"] == 20 and 0 < row["hits"] <= 20, row
         assert row["missed"] == row["false_alarms"] == row["late"] == row["early"] == row["wrong"] == 0, row
