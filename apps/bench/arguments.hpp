@@ -14,9 +14,9 @@ struct MeshArguments {
   std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
   std::uint64_t seed = 1;
   bool near = false;
-  double size_b = 0;     ///< B's diagonal as a part of A's; 0: as it is
-  double gap = 0;        ///< of coherent-distance: how far the ways are moved apart, in the same unit
-  double motion = 0.01;  ///< of coherent-distance: a step, as a part of the smaller diagonal
+  double size_b = 0;          ///< B's diagonal as a part of A's; 0: as it is
+  std::optional<double> gap;  ///< how far random poses are from contact, or ways are moved apart; of the smaller
+  double motion = 0.01;       ///< of coherent-distance: a step, as a part of the smaller diagonal
   std::string task = "overlap";
   std::vector<std::string> peers;
   std::vector<int> threads{1};
@@ -43,6 +43,7 @@ struct ConvexArguments {
   std::size_t vertices = 32;  ///< of each hull
   std::string task = "distance";
   std::string regime = "near";
+  double gap = 0.01;  ///< of near, as a part of the smaller shape's reach; negative: so deep
   std::vector<std::string> peers;
   std::size_t count = 2000;
   std::uint64_t seed = 1;

@@ -105,9 +105,9 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   mesh->add_option("--gap", arguments.gap,
-                   "of coherent-distance: the ways are moved apart by that much, as a part of the smaller diagonal")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
+                   "random poses are that much away from contact, negative: into it; of coherent-distance the ways are "
+                   "moved apart by it; as a part of the smaller diagonal")
+      ->check(CLI::Range(-1.0, 1000.0));
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")
       ->delimiter(',')
@@ -150,8 +150,13 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
       ->capture_default_str();
   convex
       ->add_option("--regime", arguments.regime,
-                   "far; near: a gap of 1 %; deep; coherent: near, in steps of 1 %, with a warm start")
+                   "far; near: at --gap; deep; coherent: near by, in steps of 1 %, with a warm start")
       ->check(CLI::IsMember({"far", "near", "deep", "coherent"}))
+      ->capture_default_str();
+  convex
+      ->add_option("--gap", arguments.gap,
+                   "of near: between the shapes, as a part of the smaller one's reach; negative: so deep")
+      ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   add_number(*convex, "--count", arguments.count, "questions");
   add_peers(*convex, arguments.peers, convex_peers());

@@ -384,6 +384,22 @@ def check_walker():
             assert row["instruction_ratio"] <= 1.1, row
 
 
+def check_map(folder):
+    """A map has every cell, Toccata's answers are right, what is kept is not measured again, and the picture has it all."""
+    script = pathlib.Path(__file__).resolve().parents[2] / "apps/bench/measure_map.py"
+    call = [sys.executable, script, BENCH, "--folder", folder, "--map", "casts", "--peers", "", "--count", "10"]
+    first = subprocess.run([*call, "--minutes", "0"], capture_output=True, text=True)
+    assert first.returncode == 0 and "cells 0," in first.stdout, first
+    done = subprocess.run(call, capture_output=True, text=True)
+    assert done.returncode == 0, done
+    made = json.loads((folder / "casts.json").read_text())
+    assert made["summary"] == {"cells": 18, "with_a_peer": 0, "slower_than_the_best_peer": 0, "below_half": 0, "wrong": 0, "failed": 0}, made["summary"]
+    assert all(cell["median_us"] > 0 and cell["command"][0] == "casts" for cell in made["cells"]), made
+    assert (folder / "casts.svg").read_text().count("<rect") == 18 + 1
+    again = subprocess.run(call, capture_output=True, text=True)
+    assert again.returncode == 0 and not again.stderr and json.loads((folder / "casts.json").read_text()) == made, again
+
+
 def main():
     peers = [peer for peer in PEER_VARIANTS if is_built_in(peer)]
     print("peers:", ", ".join(peers) or "none")
@@ -408,6 +424,7 @@ def main():
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
+        check_map(pathlib.Path(folder))
     assert run("mesh", *ROUND_PAIR, "--peer", "nobody").returncode == 2
     none = run("nearest", "--mesh", "gen:torus", "--count", "0")
     assert none.returncode == 2 and "--count: 0 is too small: at least 1 is needed" in none.stderr, none.stderr
