@@ -6,7 +6,8 @@ usage: check_docs.py --prefix DIR --compiler CXX [FILE.md…]
 DIR is where the library and the command are installed. In README.md, CONTRIBUTING.md, CHANGELOG.md, examples/README.md
 and docs/ (or the files named):
 
-  ```cpp run     compiled against the library and run; what it prints must be the ```output block after it
+  ```cpp run     compiled against the library and run; what it prints must be the ```output block after it. Those that
+                 include the same are one program, each in a namespace of its own, so main is the last thing in each
   ```cpp         compiled: as it is when it has a main, otherwise as the inside of a function
   ```sh run      run by bash in a folder that all blocks of one file share, with the installed command first on PATH;
                  compared with the ```output block after it, if any. `exit=1` after `run` is the status expected.
@@ -28,10 +29,17 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Pages that are not in docs/.
 OUTSIDE_DOCS = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md"]
+FIRST_HEADERS = ["<toccata/methods.hpp>", "<toccata/toccata.hpp>"]
+# So that two cores have as much to do.
+MOST_JOINED = 26
 FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```\s*$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
 NAMED_IN_SOURCE = re.compile(r"\bdocs/[\w/.-]+\.md\b")
+
+
+def is_include(line):
+    return line.startswith("#include")
 
 
 class Block:
@@ -40,6 +48,13 @@ class Block:
         self.language = self.info[0] if self.info else ""
         self.runs = "run" in self.info
         self.status = next((int(w[5:]) for w in self.info if w.startswith("exit=")), 0)
+        self.program = None  # of a block that is run: the words that run it, once it is compiled
+
+    def is_program(self):
+        return self.language == "cpp" and self.runs
+
+    def includes(self):
+        return tuple(sorted(filter(is_include, self.text.split("\n"))))
 
     def where(self):
         return f"{self.file.relative_to(ROOT) if self.file.is_relative_to(ROOT) else self.file}:{self.line}"
@@ -65,9 +80,21 @@ def matches(expected, printed):
     return re.fullmatch(pattern, printed.rstrip("\n") + "\n") is not None
 
 
+def joined(blocks):
+    """One program of all blocks, which runs that whose number it is given."""
+    pieces = list(blocks[0].includes())
+    for number, block in enumerate(blocks):
+        body = "\n".join("" if is_include(line) else line for line in block.text.rstrip().split("\n"))
+        opened, _, _ = body.replace("int main(", "int snippet_main(", 1).rpartition("}")
+        pieces.append(f'namespace snippet{number} {{\n#line {block.line + 1} "{block.file}"\n{opened}\n  return 0;\n}}\n}}')
+    cases = "".join(f"    case {number}: return snippet{number}::snippet_main();\n" for number in range(len(blocks)))
+    pieces.append(f"#include <cstdlib>\nint main(int, char** words) {{\n  switch (std::atoi(words[1])) {{\n{cases}    default: return 77;\n  }}\n}}\n")
+    return "\n".join(pieces)
+
+
 class Checker:
     def __init__(self, prefix, compiler, folder):
-        self.prefix, self.compiler, self.precompiled = prefix.resolve(), compiler, folder / "first.hpp"
+        self.prefix, self.compiler, self.folder, self.precompiled = prefix.resolve(), compiler, folder, folder / "first.hpp"
         environment = {**os.environ, "PKG_CONFIG_PATH": str(next(self.prefix.rglob("pkgconfig")))}
         ask = ["pkg-config", "--cflags", "--libs", "toccata-reports"]
         self.flags = subprocess.run(ask, env=environment, check=True, capture_output=True, text=True).stdout.split()
@@ -75,24 +102,40 @@ class Checker:
         self.precompile()
 
     def precompile(self):
-        """The one header that most blocks include, compiled once."""
-        self.precompiled.write_text("#include <toccata/toccata.hpp>\n")
+        """The two headers that most programs include, compiled once."""
+        self.precompiled.write_text("".join(f"#include {name}\n" for name in FIRST_HEADERS))
         made = self.precompiled.with_suffix(".hpp.gch")
         subprocess.run([self.compiler, "-std=c++20", "-c", "-x", "c++-header", self.precompiled, "-o", made, *self.flags], check=True)
 
-    def compile(self, block, folder):
-        source, program = folder / f"snippet{block.line}.cpp", folder / f"snippet{block.line}"
-        text = block.text
-        if "int main(" not in text:
-            head = [line for line in text.split("\n") if line.startswith("#include")]
-            body = [line for line in text.split("\n") if not line.startswith("#include")]
-            text = "\n".join([*head, "void snippet() {", *body, "}"])
+    def first(self, text):
+        """Compiler options: the precompiled headers, where the text includes them itself."""
+        return ["-include", self.precompiled] if all(f"#include {name}\n" in text for name in FIRST_HEADERS) else []
+
+    def compile(self, text, source, want):
+        """What the compiler complains of, or None."""
         source.write_text(text)
-        want = ["-o", program] if block.runs else ["-fsyntax-only"]
-        first = ["-include", self.precompiled] if "<toccata/toccata.hpp>" in text else []
-        command = [self.compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-Wno-unused", "-Wno-unused-command-line-argument", *first, source, *want, *self.flags]
-        run = subprocess.run(command, capture_output=True, text=True)
-        return None if run.returncode == 0 else f"{block.where()}: does not compile\n{run.stderr}"
+        warnings = ["-Wall", "-Wextra", "-Werror", "-Wno-unused", "-Wno-unused-command-line-argument"]
+        run = subprocess.run([self.compiler, "-std=c++20", *warnings, *self.first(text), source, *want, *self.flags], capture_output=True, text=True)
+        return None if run.returncode == 0 else f"does not compile\n{run.stderr}"
+
+    def compile_together(self, blocks, name):
+        """Makes the program of blocks that include the same; the complaints."""
+        source = self.folder / f"{name}.cpp"
+        complaint = self.compile(joined(blocks), source, ["-o", source.with_suffix("")])
+        if complaint:
+            return [f"{blocks[0].where()}, with others that include the same: {complaint}"]
+        for number, block in enumerate(blocks):
+            block.program = [source.with_suffix(""), str(number)]
+        return []
+
+    def compile_programs(self, pages, pool):
+        """Makes all programs, those of the most blocks first."""
+        alike = {}
+        for block in (b for page in pages for b in page if b.is_program()):
+            alike.setdefault(block.includes(), []).append(block)
+        programs = [same[i:i + MOST_JOINED] for same in alike.values() for i in range(0, len(same), MOST_JOINED)]
+        found = pool.map(self.compile_together, sorted(programs, key=len, reverse=True), range(len(programs)))
+        return [complaint for complaints in found for complaint in complaints]
 
     def compare(self, block, run):
         if run.returncode != block.status:
@@ -102,11 +145,16 @@ class Checker:
         return None
 
     def check_cpp(self, block, folder):
-        complaint = self.compile(block, folder)
-        if complaint or not block.runs:
-            return complaint
-        program = [folder / f"snippet{block.line}"]
-        return self.compare(block, subprocess.run(program, cwd=folder, env=self.environment, capture_output=True, text=True))
+        if block.runs:
+            if block.program is None:
+                return None  # its complaint is known
+            return self.compare(block, subprocess.run(block.program, cwd=folder, env=self.environment, capture_output=True, text=True))
+        text = block.text
+        if "int main(" not in text:
+            body = [line for line in text.split("\n") if not is_include(line)]
+            text = "\n".join([*block.includes(), "void snippet() {", *body, "}"])
+        complaint = self.compile(text, folder / f"snippet{block.line}.cpp", ["-fsyntax-only"])
+        return complaint and f"{block.where()}: {complaint}"
 
     def check_sh(self, block, folder):
         run = subprocess.run(["bash", "-c", block.text], cwd=folder, env=self.environment, capture_output=True, text=True,
@@ -120,11 +168,11 @@ class Checker:
             return f"{block.where()}: is not JSON: {error}"
         return None
 
-    def check_file(self, file):
+    def check_page(self, page):
         complaints = []
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            for block in blocks(file):
+            for block in page:
                 if block.language == "cpp":
                     complaints.append(self.check_cpp(block, folder))
                 elif block.language == "sh" and block.runs:
@@ -174,11 +222,13 @@ def main():
         complaints = [c for f in files for c in check_links(f)] + list(check_names_in_sources())
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         checker = Checker(options.prefix, options.compiler, pathlib.Path(name))
-        for found in pool.map(checker.check_file, files):
+        pages = [blocks(file) for file in files]
+        complaints += checker.compile_programs(pages, pool)
+        for found in pool.map(checker.check_page, pages):
             complaints += found
     for complaint in complaints:
         print(complaint)
-    count = sum(len(blocks(f)) for f in files)
+    count = sum(map(len, pages))
     print(f"docs: {len(files)} files, {count} blocks, {len(complaints)} complaints")
     return 1 if complaints else 0
 

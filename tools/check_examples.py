@@ -21,8 +21,9 @@ EXAMPLES = ROOT / "examples"
 
 def compiled(checker, name, folder):
     """The complaint of the compiler, or None."""
-    flags = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-include", checker.precompiled]
-    command = [checker.compiler, *flags, EXAMPLES / f"{name}.cpp", "-o", folder / name, *checker.flags]
+    source = EXAMPLES / f"{name}.cpp"
+    flags = ["-std=c++20", "-Wall", "-Wextra", "-Werror", *checker.first(source.read_text())]
+    command = [checker.compiler, *flags, source, "-o", folder / name, *checker.flags]
     run = subprocess.run(command, capture_output=True, text=True)
     return None if run.returncode == 0 else f"examples/{name}.cpp does not compile\n{run.stderr}"
 

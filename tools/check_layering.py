@@ -2,8 +2,8 @@
 """Checks which file includes which.
 
 A file of a room (include/toccata/<room>/, src/<room>/) includes only its own room and those before it in
-tools/rooms.txt. A public header includes only public headers and the standard library. The command includes only public
-headers and its own. Every public header is named by one of the umbrellas in include/toccata, or by a list that one of
+tools/rooms.txt. A public header includes only public headers and the standard library, and of that whatever it names, by
+itself or by way of others. The command includes only public headers and its own. Every public header is named by one of the umbrellas in include/toccata, or by a list that one of
 them includes, and no folder is a room without a name. The interface stays small: public headers, and the types that a
 program meets who includes toccata.hpp, are counted.
 """
@@ -17,6 +17,37 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_HEADER = re.compile(r"[a-z_0-9]+")
 # What such a header includes of its room needs no umbrella that names it again.
 LISTS = ["toccata/bounds/all_volumes.hpp"]
+# Where the names are that public headers take from the standard library. That they compile alone is tried with these
+# precompiled (tests/repository.cmake), which would hide a missing one.
+STANDARD = {
+    "algorithm": "all_of any_of clamp copy fill find max max_element min min_element sort",
+    "array": "array",
+    "cmath": "abs fma hypot isfinite isnan nextafter sqrt",
+    "compare": "partial_ordering strong_ordering",
+    "concepts": "convertible_to copyable default_initializable derived_from floating_point integral invocable same_as",
+    "cstddef": "byte ptrdiff_t size_t",
+    "cstdint": "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintptr_t",
+    "filesystem": "filesystem",
+    "functional": "cref function greater hash less plus ref reference_wrapper",
+    "initializer_list": "initializer_list",
+    "limits": "numeric_limits",
+    "map": "map multimap",
+    "memory": "addressof make_shared make_unique shared_ptr unique_ptr weak_ptr",
+    "optional": "nullopt optional",
+    "set": "set",
+    "span": "dynamic_extent span",
+    "stdexcept": "invalid_argument logic_error runtime_error",
+    "string": "string to_string",
+    "string_view": "string_view",
+    "tuple": "apply tie tuple tuple_element_t",
+    "type_traits": "conditional_t decay_t is_invocable_r_v is_same_v is_trivially_copyable_v remove_cv_t remove_cvref_t type_identity",
+    "utility": "as_const exchange forward make_pair move pair swap",
+    "variant": "get_if holds_alternative monostate variant variant_alternative_t visit",
+    "vector": "erase_if vector",
+}
+HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
+STANDARD_NAME = re.compile(r"\bstd::(\w+)")
+COMMENT = re.compile(r"//[^\n]*")
 MOST_HEADERS, MOST_TYPES = 107, 176
 # A struct, class or enumeration at namespace scope.
 TYPE = re.compile(r"^(?:template\s*<[^\n]*>\s*(?:requires[^\n]*\n)?)?(?:struct|class|enum class|enum)\s+(\w+)[^;{\n]*\{", re.MULTILINE)
@@ -93,6 +124,17 @@ def reached_from(header, known):
     return known
 
 
+def check_standard_names():
+    for path in sources("include/toccata"):
+        reached = reached_from(str(path.relative_to(ROOT / "include")), set())
+        included = {name for header in reached for _, name in includes(ROOT / "include" / header)}
+        for name in sorted(set(STANDARD_NAME.findall(COMMENT.sub("", path.read_text())))):
+            if name not in HEADER_OF:
+                yield f"{path}: names std::{name}; say in tools/check_layering.py which header that is of"
+            elif HEADER_OF[name] not in included:
+                yield f"{path}: names std::{name} and does not include <{HEADER_OF[name]}>"
+
+
 def check_size():
     headers = sources("include/toccata")
     if len(headers) > MOST_HEADERS:
@@ -103,7 +145,8 @@ def check_size():
 
 
 def main():
-    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrellas(), *check_size()]
+    complaints = [*check_rooms("include/toccata", True), *check_rooms("src", False), *check_command(), *check_umbrellas(),
+                  *check_standard_names(), *check_size()]
     for complaint in complaints:
         print(complaint.replace(f"{ROOT}/", ""))
     print(f"layering: {len(complaints)} complaints")

@@ -107,15 +107,16 @@ run_tests() {
     run_named_tests "$@"
     return
   fi
-  configure_tests
+  configure_tests OFF
   build release
   run_ctest release
 }
 
-# Files of tests are compiled without optimisation, unlike what they test, and once for two programs: one with the
-# libraries as users get them, one with those under sanitizers. CGAL's second opinion is left to --all.
+# Files of tests and benchmarks are compiled without optimisation, unlike what they test, and those of tests once for two
+# programs: one with the libraries as users get them, one with those under sanitizers. CGAL's second opinion is left to
+# --all. configure_tests ON|OFF: ON where single tests are asked for by name.
 configure_tests() {
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+  configure release -DTOCCATA_TEST_EACH="$1" -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
 }
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's
@@ -133,7 +134,7 @@ run_named_tests() {
   done
   local left_out=()
   if [[ $of_rooms == no ]]; then targets=(); else left_out=(-E /sanitized-); fi
-  configure_tests
+  configure_tests ON
   build release "${targets[@]}"
   run_ctest release --no-tests=error "${left_out[@]}" -R "$(
     IFS='|'
@@ -167,5 +168,5 @@ run_bench() {
 build_bench() {
   lock_build_folder
   if [[ $1 == yes ]]; then rm -f "$source_folder/build/release/.configured-with"; fi
-  configure release -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON && build release toccata_bench
+  configure release -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON -DTOCCATA_BENCH_ONLY_TESTED=OFF && build release toccata_bench
 }

@@ -186,7 +186,7 @@ TEST(CrowdCommand, WritesAnAnimationForBlender) {
 
 /// On a terminal a bar tells how far it is; nothing of it is in what is redirected.
 TEST(CrowdCommand, TheProgressBarIsForTerminalsAlone) {
-  std::vector<std::string> words = {"crowd", "--count", "20000", "--frames", "1000", "--method", "brute-force"};
+  std::vector<std::string> words = {"crowd", "--count", "3000", "--frames", "1000", "--method", "brute-force"};
   const std::string seen = test::seen_on_terminal(words, "]");
   EXPECT_NE(seen.find("\rframes ["), std::string::npos) << seen;
   words[4] = "12";
