@@ -4,11 +4,17 @@
 
 #include <cmath>
 
+#include "motion/convex_gap.hpp"
 #include "motion/feature_boxes.hpp"
+#include "motion/point_bounds.hpp"
+#include "motion/scaled_polygon.hpp"
 #include "motion/separating_direction.hpp"
 #include "motion/volume_filter.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/motion/time_of_impact.hpp"
+#include "toccata/narrow/convex_convex.hpp"
+#include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
 namespace {
@@ -53,6 +59,74 @@ TEST(ProofConstants, ABoxAroundAMomentContainsThePointThen) {
       ASSERT_GE(exact(box.upper[axis]), at) << i;
     }
   }
+}
+
+// The mean of both ends is rounded up by a unit, and what the way takes from it to half a unit below 1.
+TEST(ProofConstants, AGapBetweenTwoTimesCoversItsRoundings) {
+  const double unit = 0x1p-53, start = 1, end = 1 + 6 * unit, speed = 7 * unit;
+  const double least = least_between(start, end, 1, {.speed = speed, .bending = HUGE_VAL});
+  EXPECT_LE(exact(least), (exact(start) + exact(end) - exact(speed)) / 2);
+}
+
+// The length of (1, 1, 1) is rounded down.
+TEST(ProofConstants, ASeparationAlongADirectionIsNotTooShort) {
+  const oracle::Rational length = exact(separation_along(Vec3{1, 1, 1}, 1.0));
+  EXPECT_GE(length * length, 3);
+}
+
+// Of length 1 but for rounding: its square is more by 0.8 units, and the sum of its coordinates is rounded up by one.
+const Vec3 long_direction{0x1.1c01aa03be896p-1, 0x1.aa027f059dce1p-1, 0};
+
+template <class S>
+double lowest_of(const S& set, const Vec3& direction) {
+  return lowest(PlacedSet<S>([&] { return set; }), direction);
+}
+
+TEST(ProofConstants, ABallReachesAsFarAsADirectionIsLong) {
+  const oracle::Rational low = exact(lowest_of(PosedPolytope(Sphere(1)), long_direction));
+  EXPECT_LT(low, 0);
+  EXPECT_GE(low * low, oracle::dot(exact(long_direction), exact(long_direction)));
+}
+
+TEST(ProofConstants, TheLowestPointOfAQuadricCoversItsRoundings) {
+  const Vec3 centre{1, 1, 0};
+  const PosedQuadric small(Ellipsoid({0x1p-80, 0x1p-80, 0x1p-80}), Pose::translation(1, 1, 0));
+  EXPECT_LE(exact(lowest_of(small, long_direction)), oracle::dot(exact(long_direction), exact(centre)));
+}
+
+// The height of the half-space's point is rounded down by a unit.
+TEST(ProofConstants, TheHeightOfAHalfSpaceCoversItsRoundings) {
+  const Vec3 normal{3, 4, 0}, point{1, 1, 0}, up = normalized(normal);
+  const PlacedSet<PosedPolytope> origin([] { return PosedPolytope(Point({0, 0, 0})); });
+  const PlacedSet<PosedHalfSpace> ground([&] { return PosedHalfSpace(HalfSpace(point, normal)); });
+  EXPECT_LE(exact(separation_along(origin, ground, up)), -oracle::dot(exact(up), exact(point)));
+}
+
+// A tetrahedron whose faces are 0.993 from the origin, and a point there. They are parted when either is a pad wrong.
+TEST(ProofConstants, SetsThatOverlapByLessThanTheirPadMayBeApart) {
+  std::vector<Vec3> corners;
+  for (const Vec3& corner : tetrahedron_corners) corners.push_back(1.72 * corner);
+  const ConvexHull hull(corners);
+  const PosedPolytope tetrahedron(hull), point(Point({0, 0, 0}));
+  const double way = 0.998 / std::sqrt(3);
+  for (const double side : {-1.0, 1.0}) {
+    const PosedPolytope wrong = tetrahedron.moved(side * Vec3{way, way, way});
+    if (!overlap(wrong, point)) {
+      EXPECT_FALSE(overlap_by(tetrahedron, point, 1, tetrahedron_corners));
+      EXPECT_TRUE(overlap_by(tetrahedron, point, 0.8, tetrahedron_corners));
+      return;
+    }
+  }
+  FAIL() << "no side of the tetrahedron is near enough";
+}
+
+// At the start of the cell in which it comes through the plane the vertex is still before an edge, and beyond it then.
+TEST(ProofConstants, ACornerMayPassASideWithinACell) {
+  const double edge = 1 - 0x1p-44;
+  const auto rests = [](const Vec3& p) { return MovingPoint{p, p}; };
+  const VertexFace pair{.vertex = {{0, 0, -1}, {3, 0, 2}},
+                        .face = {rests({edge, -1, 0}), rests({edge, 1, 0}), rests({-1, 0, 0})}};
+  EXPECT_FALSE(time_of_impact(pair).hit);
 }
 
 }  // namespace
