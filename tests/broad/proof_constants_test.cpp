@@ -67,7 +67,7 @@ TEST(ProofConstants, AnAcceleratedMeetingIsNotToldTooLate) {
 
 // The velocity is at right angles to the direction but for 2^-60, and rounding makes it lead away.
 TEST(ProofConstants, WhatComesNearerByLessThanRoundingMayMeet) {
-  EXPECT_LE(earliest_meeting(1, {7, 1, 0x1p-60}, {.velocity = {1, -7, 1}}, {}), 0x8p60);
+  EXPECT_LE(earliest_meeting(1, {3, 7, 0x1p-60}, {.velocity = {7, -3, 1}}, {}), 0x8p60);
 }
 
 Aabb interval(double lower, double upper) { return {{lower, 0, 0}, {upper, 1, 1}}; }

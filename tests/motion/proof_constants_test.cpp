@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "motion/approach.hpp"
 #include "motion/convex_gap.hpp"
 #include "motion/feature_boxes.hpp"
 #include "motion/point_bounds.hpp"
@@ -12,6 +13,7 @@
 #include "motion/volume_filter.hpp"
 #include "oracle/rational.hpp"
 #include "toccata/core/random.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/motion/time_of_impact.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -127,6 +129,40 @@ TEST(ProofConstants, ACornerMayPassASideWithinACell) {
   const VertexFace pair{.vertex = {{0, 0, -1}, {3, 0, 2}},
                         .face = {rests({edge, -1, 0}), rests({edge, 1, 0}), rests({-1, 0, 0})}};
   EXPECT_FALSE(time_of_impact(pair).hit);
+}
+
+// A face and a vertex, half a unit apart along (1, d, 0), go almost at right angles to it, far and together. What each
+// goes along it, three eighths of a unit and against the other, is lost in the rounding of d y.
+TEST(ProofConstants, WaysAcrossADirectionMayLeadAlongIt) {
+  const double unit = 0x1p-12, d = 0.75 + unit, y = 0x1.ep40 + 0.625, x = d * y;
+  ASSERT_EQ(d * (y + unit), x);
+  const Vec3 foot{-unit, 2 * unit, 0}, along{-d, 1, 0}, up{0, 0, 1}, way_of_face{x, -(y + unit), 0};
+  const auto goes = [](const Vec3& p, const Vec3& way) { return MovingPoint{p, p + way}; };
+  const VertexFace pair{.vertex = goes({0, 0, 0}, {x, -y, 0}),
+                        .face = {goes(foot - along - up, way_of_face), goes(foot - along + 3 * up, way_of_face),
+                                 goes(foot + 3 * along - up, way_of_face)}};
+  const double fraction = independent_fraction(differences(pair), 0);
+  EXPECT_GT(fraction, 0);
+  EXPECT_LT(exact(fraction) * (exact(d) * exact(unit)), oracle::dot(exact(Vec3{1, d, 0}), exact(foot)));
+}
+
+// What is fixed to a shape turns about a point that is rounded, and so beside the shape's, which rests: by 2^-23 where
+// what is fixed is almost flat.
+TEST(ProofConstants, WhatIsCarriedMovesNoFasterThanIsTold) {
+  const MotionSpeed turning{.centre = {1, 2, 0.3}, .turns = 1};
+  const RigidMotion motion = RigidMotion::of([](double) { return Pose{}; }, turning);
+  const Pose turned{Pose::rotation({1, 2, 3}, 50).linear, {1, 0, 3}};
+  const Pose flat{{{Vec3{1, 1, 0}, Vec3{1, 1 + 0x1p-30, 0}, Vec3{0, 0, 1}}}, {0.1, 0.2, 0.3}};
+  for (const Pose& fixed : {turned, flat}) {
+    const MotionSpeed told = motion.carrying(fixed).speed();
+    oracle::Rational square = 0;
+    for (int i = 0; i < 3; ++i) {
+      const oracle::Rational beside = oracle::dot(exact(fixed.linear[i]), exact(told.centre)) + exact(fixed.offset[i]) -
+                                      exact(turning.centre[i]);
+      square += beside * beside;
+    }
+    EXPECT_LE(36 * square, exact(told.speed) * exact(told.speed));
+  }
 }
 
 }  // namespace
