@@ -166,6 +166,7 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   const Vec3 half = with_least({root(moments.values.x), root(moments.values.y), root(moments.values.z)}, slack / unit);
   Ball ball;
   for (const Image& image : small) ball = merge(ball, stretched_ball(moments.axes, half, image));
+  // Where the half axes are as long as the slack asks for, the ball is small, and the slack no small part of it.
   ball.radius += slack / unit / std::min({half.x, half.y, half.z});
   const Vec3& s = ball.centre;
   const Vec3 centre = point_in_frame(moments.axes, {}, {s.x * half.x, s.y * half.y, s.z * half.z});

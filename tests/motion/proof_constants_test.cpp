@@ -7,6 +7,7 @@
 #include "motion/approach.hpp"
 #include "motion/convex_gap.hpp"
 #include "motion/feature_boxes.hpp"
+#include "motion/moving_part.hpp"
 #include "motion/point_bounds.hpp"
 #include "motion/scaled_polygon.hpp"
 #include "motion/separating_direction.hpp"
@@ -163,6 +164,19 @@ TEST(ProofConstants, WhatIsCarriedMovesNoFasterThanIsTold) {
     }
     EXPECT_LE(36 * square, exact(told.speed) * exact(told.speed));
   }
+}
+
+// What is left of a million turns is a part of one that is rounded away.
+TEST(ProofConstants, APoseOfManyTurnsIsNoFartherOffThanIsTold) {
+  const double turns = 0x1p20 + 0x1p-32, time = 1 - 0x1p-53;
+  ASSERT_EQ(turns * time, 0x1p20);
+  const oracle::Rational left = exact(turns) * exact(time) - exact(0x1p20);
+  const Model point(Point({1, 0, 0}));
+  const RigidMotion motion(Pose{}, {.axis = {0, 0, 1}, .turns = turns});
+  const std::vector<MovingPart> parts = moving_parts(point, motion, Solid::automatic, "a point");
+  // Its sine is more than 6.28 times as much.
+  const double posed = (motion.at(time) * Vec3{1, 0, 0}).y;
+  EXPECT_LE(exact(6.28) * left - exact(posed), exact(parts[0].motion({}).alike.pad));
 }
 
 }  // namespace
