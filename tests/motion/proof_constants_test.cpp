@@ -147,8 +147,8 @@ TEST(ProofConstants, WaysAcrossADirectionMayLeadAlongIt) {
   EXPECT_LT(exact(fraction) * (exact(d) * exact(unit)), oracle::dot(exact(Vec3{1, d, 0}), exact(foot)));
 }
 
-// What is fixed to a shape turns about a point that is rounded, and so beside the shape's, which rests: by a quarter of a
-// unit that is not seen, where it is shifted by one and a half, and by 2^-23 where it is almost flat.
+// What is fixed to a shape turns about a point that is rounded, and so beside the shape's, which rests: by a quarter of
+// a unit that is not seen, where it is shifted by one and a half, and by 2^-23 where it is almost flat.
 TEST(ProofConstants, WhatIsCarriedMovesNoFasterThanIsTold) {
   const MotionSpeed turning{.centre = {1, 2, 0.3}, .turns = 1};
   const RigidMotion motion = RigidMotion::of([](double) { return Pose{}; }, turning);
@@ -158,8 +158,8 @@ TEST(ProofConstants, WhatIsCarriedMovesNoFasterThanIsTold) {
     const MotionSpeed told = motion.carrying(fixed).speed();
     oracle::Rational square = 0;
     for (int i = 0; i < 3; ++i) {
-      const oracle::Rational beside = oracle::dot(exact(fixed.linear[i]), exact(told.centre)) + exact(fixed.offset[i]) -
-                                      exact(turning.centre[i]);
+      const oracle::Rational beside =
+          oracle::dot(exact(fixed.linear[i]), exact(told.centre)) + exact(fixed.offset[i]) - exact(turning.centre[i]);
       square += beside * beside;
     }
     EXPECT_LE(36 * square, exact(told.speed) * exact(told.speed));

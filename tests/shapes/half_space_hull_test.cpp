@@ -251,8 +251,8 @@ TEST(HullOfHalfSpaces, ThatIsThinnerThanDoublesIsRefused) {
   EXPECT_EQ(refusal_of(huge), "");
 }
 
-/// A corner is beyond the first plane by less than half a unit of the sum that tells its side, which is rounded to minus
-/// one.
+/// A corner is beyond the first plane by less than half a unit of the sum that tells its side, which is rounded to
+/// minus one.
 TEST(HullOfHalfSpaces, HasNoCornerThatOnlyRoundingTakesForOneInside) {
   const Vec3 corner{0x1.ef8bbf2620fdap-1, 0x1.82528fd60b9ccp-11, 0x1.4c75e1afdeb58p-5};
   HalfSpaces sides{{Vec3{0, 0, 0x1.98f2028b04ed5p-1}, Vec3{0x1.90aa5c04dbaf0p-1, 1, 1}}};
