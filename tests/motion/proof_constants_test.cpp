@@ -97,9 +97,9 @@ TEST(ProofConstants, TheLowestPointOfAQuadricCoversItsRoundings) {
   EXPECT_LE(exact(lowest_of(small, long_direction)), oracle::dot(exact(long_direction), exact(centre)));
 }
 
-// The height of the half-space's point is rounded down by a unit.
+// The height of the half-space's point is rounded down by a unit and a half.
 TEST(ProofConstants, TheHeightOfAHalfSpaceCoversItsRoundings) {
-  const Vec3 normal{3, 4, 0}, point{1, 1, 0}, up = normalized(normal);
+  const Vec3 normal{1, 2, 0}, point{0.0625, 1.3125, 0}, up = normalized(normal);
   const PlacedSet<PosedPolytope> origin([] { return PosedPolytope(Point({0, 0, 0})); });
   const PlacedSet<PosedHalfSpace> ground([&] { return PosedHalfSpace(HalfSpace(point, normal)); });
   EXPECT_LE(exact(separation_along(origin, ground, up)), -oracle::dot(exact(up), exact(point)));
