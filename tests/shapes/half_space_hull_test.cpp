@@ -251,5 +251,22 @@ TEST(HullOfHalfSpaces, ThatIsThinnerThanDoublesIsRefused) {
   EXPECT_EQ(refusal_of(huge), "");
 }
 
+/// A corner is beyond the first plane by less than half a unit of the sum that tells its side, which is rounded to
+/// minus one.
+TEST(HullOfHalfSpaces, HasNoCornerThatOnlyRoundingTakesForOneInside) {
+  const Vec3 corner{0x1.ef8bbf2620fdap-1, 0x1.82528fd60b9ccp-11, 0x1.4c75e1afdeb58p-5};
+  HalfSpaces sides{{Vec3{0, 0, 0x1.98f2028b04ed5p-1}, Vec3{0x1.90aa5c04dbaf0p-1, 1, 1}}};
+  ASSERT_GT(oracle::height_above(exact_of(sides.front()), oracle::exact(corner)), 0);
+  for (const double side : {-1.0, 1.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 along;
+      along[axis] = side;
+      sides.emplace_back(side < 0 ? Vec3{} : corner, along);
+    }
+  const ConvexHull hull = hull_of_half_spaces(sides);
+  EXPECT_EQ(hull.vertex_count(), 10);
+  for (Index v = 0; v < hull.vertex_count(); ++v) EXPECT_NE(hull.vertex(v), corner);
+}
+
 }  // namespace
 }  // namespace toccata
