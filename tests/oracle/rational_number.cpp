@@ -24,8 +24,8 @@ Aligned aligned(const Integer& a, long exponent_a, const Integer& b, long expone
   return {a, shifted(b, exponent_b - exponent_a), exponent_a};
 }
 
-/// The double nearest to (digits + part) · 2^exponent, of two the even one; infinite beyond the largest. The part is less
-/// than 1, and 0 unless told; then there are more than 54 digits.
+/// The double nearest to (digits + part) · 2^exponent, of two the even one; infinite beyond the largest. The part is
+/// less than 1, and 0 unless told; then there are more than 54 digits.
 double nearest_double(const Integer& digits, bool has_part, long exponent) {
   // A double has 53 digits, or fewer: none is below 2^-1074.
   const long beyond = std::max(length(digits) - 52, -1074 - exponent);

@@ -232,8 +232,8 @@ TEST(HullOfHalfSpaces, ThatIsFlatNamesItsPlanes) {
   EXPECT_TRUE(has(refusal_of(flat), "half-spaces 3, 7 have no point in common")) << refusal_of(flat);
 }
 
-/// Four planes through one point, whose coordinates are no doubles, with normals around it: all that they have in common
-/// is that point. So it is flat, and not empty.
+/// Four planes through one point, whose coordinates are no doubles, with normals around it: all that they have in
+/// common is that point. So it is flat, and not empty.
 TEST(HullOfHalfSpaces, ThatIsOnePointBetweenDoublesIsFlat) {
   Random random(6);
   int made = 0;
