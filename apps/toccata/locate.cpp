@@ -55,8 +55,6 @@ const SceneObject& object_to_locate_in(const Scene& scene, const std::string& fi
   return scene.objects[0];
 }
 
-std::string size_words(std::size_t bytes) { return fmt::format("{:.3g} MB", 1e-6 * static_cast<double>(bytes)); }
-
 PointLocator locator_of(const Model& model, const Pose& pose) {
   return {"its own tree", LocateJson(), [model, pose](const Vec3& point) {
             LocatedPoint found{locate(point, model, pose)};
@@ -70,7 +68,7 @@ PointLocator locator_of(const BspTree& tree) {
   return {fmt::format("a BSP tree of {}, {} across an axis, with {} ({:.2f} of each triangle), depth {} ({:.1f} on "
                       "average), {}",
                       counted(s.nodes, "plane"), grouped(s.axis_nodes), counted(s.fragments, "fragment"), s.growth(),
-                      s.depth, s.mean_depth, size_words(s.bytes)),
+                      s.depth, s.mean_depth, counted(s.bytes, "byte")),
           {{"planes", s.nodes},
            {"axis_planes", s.axis_nodes},
            {"cells", s.leaves},
@@ -92,7 +90,7 @@ PointLocator locator_of(const MspTree& tree) {
   return {fmt::format("an MSP tree of {}, {} and {}, with regions on {} of faces, {} of edges and {}, depth {}, {}",
                       counted(s.planes, "plane"), counted(s.lines, "line"), counted(s.points, "point"),
                       counted(s.faces, "part"), counted(s.edges, "part"), counted(s.vertices, "vertex", "vertices"),
-                      s.depth, size_words(s.bytes)),
+                      s.depth, counted(s.bytes, "byte")),
           {{"planes", s.planes},
            {"lines", s.lines},
            {"points", s.points},
@@ -110,20 +108,22 @@ PointLocator locator_of(const MspTree& tree) {
           }};
 }
 
-/// What is refused says what else there is.
-PointLocator locator_of(const SceneObject& object, const LocateArguments& arguments) {
-  const Model model(object.mesh());
-  if (arguments.by == "mesh") return locator_of(model, object.pose);
-  try {
-    if (!(object.pose == Pose{}))
-      throw Error("the tree is asked in the mesh's own coordinates, and this mesh is scaled or posed");
-    if (arguments.by == "bsp") return locator_of(BspTree(model, arguments.tree));
-    return locator_of(MspTree(model, arguments.tree));
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}; {}", arguments.file, error.what(),
-                            model.closed() ? "--by mesh answers about this mesh"
-                                           : with_name("`{0} inspect FILE --faults` tells where all of it is")));
-  }
+PointLocator locator_of(const Model& model, const Pose& pose, const LocateArguments& arguments) {
+  if (arguments.by == "mesh") return locator_of(model, pose);
+  if (!(pose == Pose{}))
+    throw Error("the tree is asked in the mesh's own coordinates, and this mesh is scaled or posed");
+  if (arguments.by == "bsp") return locator_of(BspTree(model, arguments.tree));
+  return locator_of(MspTree(model, arguments.tree));
+}
+
+/// With where it is, or what else answers.
+Error refusal_of(const Error& error, const Model& model, const LocateArguments& arguments) {
+  std::string hint;
+  if (!model.closed())
+    hint = with_name("; `{0} inspect FILE --faults` tells where all of it is");
+  else if (arguments.by != "mesh")
+    hint = "; --by mesh answers about this mesh";
+  return Error(fmt::format("{}: {}{}", arguments.file, error.what(), hint));
 }
 
 std::string name_of_located(Side side) {
@@ -150,8 +150,8 @@ std::vector<std::string> row_of(const LocatedPoint& found, const TriangleMesh& m
   if (found.feature) {
     const std::vector<Index> vertices = vertices_of(*found.feature, mesh.triangles()[*found.triangle]);
     if (vertices.empty()) what = "within ";
-    if (vertices.size() == 1) what = fmt::format("at vertex {}, of ", vertices[0]);
-    if (vertices.size() == 2) what = fmt::format("on the edge from vertex {} to {}, of ", vertices[0], vertices[1]);
+    if (vertices.size() == 1) what = fmt::format("vertex {}, of ", vertices[0]);
+    if (vertices.size() == 2) what = fmt::format("edge from vertex {} to {}, of ", vertices[0], vertices[1]);
   }
   return {"on it", fmt::format("{}triangle {}, face {}", what, *found.triangle, mesh.face_of(*found.triangle))};
 }
@@ -189,38 +189,54 @@ double time_of(const std::function<void()>& work) {
 
 /// Everything that is told.
 struct LocateAnswer {
-  const TriangleMesh& mesh;
-  const PointLocator& locator;
-  const std::vector<LocatedPoint>& found;
+  std::shared_ptr<const TriangleMesh> mesh;
+  PointLocator locator{};
+  std::vector<LocatedPoint> found{};
   double build_ns = 0;  ///< with the model
   double point_ns = 0;  ///< on average
 };
 
+LocateAnswer located(const SceneObject& object, const std::vector<Vec3>& points, const LocateArguments& arguments) {
+  LocateAnswer answer{object.mesh()};
+  std::optional<Model> model;
+  answer.build_ns = time_of([&] { model.emplace(answer.mesh); });
+  try {
+    answer.build_ns += time_of([&] { answer.locator = locator_of(*model, object.pose, arguments); });
+    const double asked_ns = time_of([&] {
+      for (const Vec3& point : points) answer.found.push_back(answer.locator.locate(point));
+    });
+    if (!points.empty()) answer.point_ns = asked_ns / static_cast<double>(points.size());
+  } catch (const Error& error) {
+    throw refusal_of(error, *model, arguments);
+  }
+  return answer;
+}
+
+std::string time_words(double ns) {
+  return ns < 1e9 ? fmt::format("{:.3g} ms", 1e-6 * ns) : fmt::format("{:.3g} s", 1e-9 * ns);
+}
+
 std::string text_of(const LocateAnswer& answer, const std::string& name) {
   std::vector<std::vector<std::string>> rows;
   for (const LocatedPoint& found : answer.found) {
-    rows.push_back(row_of(found, answer.mesh));
+    rows.push_back(row_of(found, *answer.mesh));
     rows.back().insert(rows.back().begin(), fmt::format("point {}", rows.size() - 1));
   }
   std::string text =
-      fmt::format("{}: {}, by {}, made in {:.3g} ms", printable(name),
-                  counted(answer.mesh.triangle_count(), "triangle"), answer.locator.words, 1e-6 * answer.build_ns);
+      fmt::format("{}: {}, by {}, made in {}", printable(name), counted(answer.mesh->triangle_count(), "triangle"),
+                  answer.locator.words, time_words(answer.build_ns));
   if (!rows.empty()) text += fmt::format("; a point takes {:.3g} µs", 1e-3 * answer.point_ns);
   return text + "\n" + (rows.empty() ? "" : columns(rows, 2));
 }
 
 std::string json_of(const LocateAnswer& answer, const LocateArguments& arguments) {
-  LocateJson json = {{"schema", "toccata/locate/1"},
-                     {"version", version},
-                     {"file", printable(arguments.file)},
-                     {"triangles", answer.mesh.triangle_count()},
-                     {"by", arguments.by},
-                     {"tree", answer.locator.tree},
-                     {"build_ns", answer.build_ns},
-                     {"point_ns", answer.point_ns},
+  LocateJson json = {{"schema", "toccata/locate/1"}, {"version", version},
+                     {"file", arguments.file},       {"triangles", answer.mesh->triangle_count()},
+                     {"by", arguments.by},           {"tree", answer.locator.tree},
+                     {"build_ns", answer.build_ns},  {"point_ns", answer.point_ns},
                      {"points", LocateJson::array()}};
-  for (const LocatedPoint& found : answer.found) json["points"].push_back(report_of(found, answer.mesh));
-  return json.dump(1) + "\n";
+  for (const LocatedPoint& found : answer.found) json["points"].push_back(report_of(found, *answer.mesh));
+  return json.dump(1, ' ', false, LocateJson::error_handler_t::replace) + "\n";
 }
 
 int run_locate(const LocateArguments& arguments) {
@@ -230,14 +246,7 @@ int run_locate(const LocateArguments& arguments) {
   const LoadedScene loaded = load(input);
   print_warnings(loaded.warnings);
   const SceneObject& object = object_to_locate_in(loaded.scene, arguments.file);
-  PointLocator locator;
-  const double build_ns = time_of([&] { locator = locator_of(object, arguments); });
-  std::vector<LocatedPoint> found;
-  const double asked_ns = time_of([&] {
-    for (const Vec3& point : points) found.push_back(locator.locate(point));
-  });
-  const double point_ns = points.empty() ? 0 : asked_ns / static_cast<double>(points.size());
-  const LocateAnswer answer{*object.mesh(), locator, found, build_ns, point_ns};
+  const LocateAnswer answer = located(object, points, arguments);
   print_answer(arguments.format == Format::json ? json_of(answer, arguments) : text_of(answer, object.name));
   return 0;
 }

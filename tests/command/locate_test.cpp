@@ -69,8 +69,8 @@ TEST_F(LocateCommand, AnMspTreeTellsTheVertexEdgeOrFace) {
   EXPECT_EQ(points[4]["feature"], "face");
   EXPECT_EQ(points[4]["vertices"], Json::array());
   const std::string text = located({"solid.off", "--points", "points.txt", "--by", "msp"}).out;
-  EXPECT_TRUE(tells(text, "point 2  on it    at vertex 0, of triangle 0, face 0\n")) << text;
-  EXPECT_TRUE(tells(text, "point 3  on it    on the edge from vertex 1 to 0, of triangle 0, face 0\n")) << text;
+  EXPECT_TRUE(tells(text, "point 2  on it    vertex 0, of triangle 0, face 0\n")) << text;
+  EXPECT_TRUE(tells(text, "point 3  on it    edge from vertex 1 to 0, of triangle 0, face 0\n")) << text;
   EXPECT_TRUE(tells(text, "point 4  on it    within triangle 0, face 0\n")) << text;
   EXPECT_TRUE(tells(text, "point 5  outside\n")) << text;
 }
@@ -97,7 +97,8 @@ TEST_F(LocateCommand, WhatIsNoSolidIsRefusedWithWhereAndHowMuch) {
     expect_trouble({"open.off", "--by", by}, "open: 3 edges are used unequally often");
     expect_trouble({"open.off", "--by", by}, " inspect FILE --faults` ");
   }
-  expect_trouble({"open.off", "--point", "0", "0", "0"}, "the mesh is open");
+  expect_trouble({"open.off", "--point", "0", "0", "0"}, "the mesh is open (3 edges");
+  expect_trouble({"open.off", "--point", "0", "0", "0"}, " inspect FILE --faults` ");
   folder_.write("crossing.off",
                 "OFF\n8 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.1 0.1 -0.5\n1.1 0.1 -0.5\n0.1 1.1 -0.5\n0.1 0.1 0.5\n"
                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n");
