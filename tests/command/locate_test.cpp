@@ -117,7 +117,7 @@ TEST_F(LocateCommand, ATreeThatGrowsTooMuchIsGivenUpAndTheMeshAnswersStill) {
 
 TEST_F(LocateCommand, APosedMeshIsAskedInTheWorldByItsOwnTree) {
   folder_.write("posed.json", R"({"format": "toccata-scene", "version": 1, "objects": [
-    {"name": "solid", "mesh": "solid.off", "pose": {"translation": [10, 0, 0]}}]})");
+    {"name": "solid", "file": "solid.off", "pose": {"translation": [10, 0, 0]}}]})");
   EXPECT_EQ(report({"posed.json", "--point", "10.1", "0.1", "0.1"})["points"][0]["side"], "inside");
   EXPECT_EQ(report({"posed.json", "--point", "10.5", "0", "0"})["points"][0]["side"], "boundary");
   expect_trouble({"posed.json", "--by", "bsp"}, "--by mesh answers about this mesh");
