@@ -115,7 +115,8 @@ Json rows_of_libraries(const ProximityArguments& arguments) {
       for (const auto& library : mesh_libraries(arguments.peers)) {
         if (!library->obstacle(Task::overlap, 1).empty()) continue;
         library->build(a, b);
-        const Answered one = measure_queries(*library, Task::overlap, {PosePair{}}, {1, arguments.rounds, Clock::thread});
+        const Answered one =
+            measure_queries(*library, Task::overlap, {PosePair{}}, {1, arguments.rounds, Clock::thread});
         rows.push_back({{"scene", scene.name},
                         {"triangles", a.triangle_count() + b.triangle_count()},
                         {"gap", gap},
