@@ -104,7 +104,7 @@ struct RefitArguments {
 struct PartitionsArguments {
   std::string mesh;
   std::vector<std::string> peers;
-  std::string task = "box";  ///< or "pairs", "cells", "solid"
+  std::string task = "box";  ///< or "pairs", "cells", "solid", "points"
   std::size_t queries = 1000;
   std::uint64_t seed = 1;
   int rounds = 3;
@@ -252,7 +252,8 @@ struct WalkerArguments {
 
 struct ProximityArguments {
   std::string task = "gap";  ///< or "size"
-  int rounds = 11;           ///< of size: the least time counts
+  std::vector<std::string> peers;
+  int rounds = 11;  ///< the least time counts
   bool json = false;
 };
 
@@ -269,6 +270,7 @@ int run_refit(const RefitArguments& arguments);
 int run_partitions(const PartitionsArguments& arguments);
 int run_partition_cells(const PartitionsArguments& arguments);
 int run_partition_solid(const PartitionsArguments& arguments);
+int run_partition_points(const PartitionsArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);

@@ -237,10 +237,12 @@ void add_partitions(CLI::App& app, PartitionsArguments& arguments) {
       app.add_subcommand("partitions", "partitions of space over the boxes of a mesh's triangles: who is in a place?");
   add_mesh_file(*partitions, "--mesh", arguments.mesh)->required();
   partitions
-      ->add_option("--task", arguments.task,
-                   "the triangles whose boxes reach into a box, all pairs of boxes, the cells that boxes are in as "
-                   "they move, or of a closed mesh a BSP tree beside the mesh's own")
-      ->check(CLI::IsMember({"box", "pairs", "cells", "solid"}))
+      ->add_option(
+          "--task", arguments.task,
+          "the triangles whose boxes reach into a box, all pairs of boxes, the cells that boxes are in as "
+          "they move; of a closed mesh a BSP tree beside the mesh's own (solid), and where points lie by these and "
+          "an MSP tree (points)")
+      ->check(CLI::IsMember({"box", "pairs", "cells", "solid", "points"}))
       ->capture_default_str();
   add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about; with cells, how many ways");
   partitions->add_option("--seed", arguments.seed, "another seed, other boxes")->capture_default_str();
@@ -319,15 +321,16 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
 void add_proximity(CLI::App& app, ProximityArguments& arguments) {
   CLI::App* proximity = app.add_subcommand("proximity", "how cost grows as two meshes come near, or get larger");
   proximity
-      ->add_option(
-          "--task", arguments.task,
-          "gap: helices, boxes, shells and a mould, free by less and less, for each volume; size: every pair of "
-          "triangles against trees")
+      ->add_option("--task", arguments.task,
+                   "gap: helices, boxes, shells and a mould, free by less and less, for each volume and library; size: "
+                   "every pair "
+                   "of triangles against trees")
       ->check(CLI::IsMember({"gap", "size"}))
       ->capture_default_str();
-  add_number(*proximity, "--rounds", arguments.rounds, "of size: how often each is asked; the least time counts");
+  add_peers(*proximity, arguments.peers, mesh_peers());
+  add_number(*proximity, "--rounds", arguments.rounds, "how often each library is asked; the least time counts");
   add_json(*proximity, arguments.json);
-  proximity->footer("Example:\n  ./toccata bench proximity --task size");
+  proximity->footer("Example:\n  ./toccata bench proximity --peer fcl,cgal\n  ./toccata bench proximity --task size");
 }
 
 void add_world(CLI::App& app, WorldArguments& arguments) {
@@ -494,6 +497,7 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
 
 int run_partitions_task(const PartitionsArguments& arguments) {
   if (arguments.task == "cells") return run_partition_cells(arguments);
+  if (arguments.task == "points") return run_partition_points(arguments);
   return arguments.task == "solid" ? run_partition_solid(arguments) : run_partitions(arguments);
 }
 

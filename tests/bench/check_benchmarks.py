@@ -314,6 +314,15 @@ def check_cells():
     assert all(1 <= row["walked"] <= row["in_box"] for row in made["walks"]), made["walks"]
 
 
+def check_points():
+    """Three trees tell the same of where points lie, and a vertex is on the surface."""
+    made = report("partitions", "--mesh", "gen:torus?around=12&sides=6", "--task", "points", "--queries", "50", "--rounds", "1")
+    assert [tree["tree"] for tree in made["trees"]] == ["mesh's own", "BSP", "MSP"], made["trees"]
+    assert all(tree["growth"] >= 1 and tree["depth"] >= 1 and tree["bytes"] > 0 for tree in made["trees"]), made["trees"]
+    assert all(row["wrong"] == 0 for row in made["results"]), made["results"]
+    assert [row["on_surface"] for row in made["results"] if row["points"] == "vertices"] == [50], made["results"]
+
+
 def check_sums(peers):
     """Every way makes sums of as many vertices, and tells the same of every point."""
     named = ["--peer", "cgal"] if "cgal" in peers else []
@@ -416,6 +425,7 @@ def main():
     check_mover(peers)
     check_casts(peers)
     check_cells()
+    check_points()
     check_sums(peers)
     check_motion()
     check_sweeps()

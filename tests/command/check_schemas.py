@@ -215,6 +215,17 @@ def decompositions(folder):
     yield report
 
 
+def locations(folder):
+    """Points in a solid, on it and outside, by each tree, and of the trees alone."""
+    (folder / "places.txt").write_text("0 0 0\n0.5 0.5 0.5\n0 0.5 0.5\n0.1 0 0.5\n9 0 0\n")
+    for by in ["mesh", "bsp", "msp"]:
+        report = asked(folder, "locate", "gen:box", "--points", "places.txt", "--by", by)
+        assert [p["side"] for p in report["points"]] == ["inside"] + 3 * ["boundary"] + ["outside"], report
+        yield report
+    for by in ["bsp", "msp"]:
+        yield asked(folder, "locate", "gen:torus-knot", "--by", by)
+
+
 EVERY_REPORT = {
     "check": reports,
     "distance": distances,
@@ -245,6 +256,10 @@ def main():
                 schema.validate(report)
                 check_asked(kind, report)
                 assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        schema = validator("locate-report.schema.json")
+        for report in locations(folder):
+            schema.validate(report)
+            assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scene = validator("scene.schema.json")
         scenes = list(folder.rglob("scene.json"))
         assert scenes

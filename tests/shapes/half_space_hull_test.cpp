@@ -25,15 +25,6 @@ oracle::HalfSpace exact_of(const HalfSpace& h) {
 
 bool less(const Vec3& a, const Vec3& b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; }
 
-/// The double nearest to a number; ties do not happen here.
-double nearest_to(const oracle::Rational& number) {
-  const double near = number.to_double();
-  double best = near;
-  for (const double other : {std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)})
-    if (abs(number - oracle::exact(other)) < abs(number - oracle::exact(best))) best = other;
-  return best;
-}
-
 /// The point of every three planes that is in all half-spaces, rounded; sorted, each once.
 std::vector<Vec3> vertices_by_triples(const HalfSpaces& half_spaces) {
   std::vector<oracle::HalfSpace> all;
@@ -49,7 +40,7 @@ std::vector<Vec3> vertices_by_triples(const HalfSpaces& half_spaces) {
                                                              b.offset * oracle::cross(c.normal, a.normal) +
                                                              c.offset * oracle::cross(a.normal, b.normal));
         if (std::all_of(all.begin(), all.end(), [&](const auto& h) { return oracle::dot(h.normal, p) <= h.offset; }))
-          found.push_back({nearest_to(p.x), nearest_to(p.y), nearest_to(p.z)});
+          found.push_back(oracle::rounded(p));
       }
   std::sort(found.begin(), found.end(), less);
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -239,6 +230,31 @@ TEST(HullOfHalfSpaces, ThatIsFlatNamesItsPlanes) {
   EXPECT_TRUE(has(refusal_of(flat), "planes of half-spaces 1, 6")) << refusal_of(flat);
   flat.emplace_back(Vec3{0, 5, 0}, Vec3{0, -1, 0});  // and nothing of it is left
   EXPECT_TRUE(has(refusal_of(flat), "half-spaces 3, 7 have no point in common")) << refusal_of(flat);
+}
+
+/// Four planes through one point, whose coordinates are no doubles, with normals around it: all that they have in
+/// common is that point. So it is flat, and not empty.
+TEST(HullOfHalfSpaces, ThatIsOnePointBetweenDoublesIsFlat) {
+  Random random(6);
+  int made = 0;
+  while (made < 40) {
+    std::array<Vec3, 3> normals;
+    Vec3 sum;
+    double offset = 0;
+    HalfSpaces all;
+    for (Vec3& normal : normals) {
+      normal = {whole(random, 9), whole(random, 9), whole(random, 9)};
+      if (&normal == &normals[2]) normal.x = 1 - sum.x;
+      const Vec3 point{whole(random, 9), whole(random, 9), whole(random, 9)};
+      sum += normal;
+      offset += dot(normal, point);
+      if (normal != Vec3{}) all.emplace_back(point, normal);
+    }
+    if (dot(normals[0], cross(normals[1], normals[2])) == 0) continue;
+    all.emplace_back(Vec3{offset, 0, 0}, -sum);  // the sum's x is 1
+    ASSERT_TRUE(has(refusal_of(all), "planes of half-spaces 0, 1, 2, 3")) << refusal_of(all);
+    ++made;
+  }
 }
 
 /// A wedge between x = 1 and a plane that leaves it by 2^-60 at the far end: no double lies between.
