@@ -170,5 +170,14 @@ TEST(QuadricContactConstants, OtherVerticesAreRoundedWhereTheyAreFar) {
             oracle::squared_distance(point, oracle::triangle_set(triangle[0], triangle[1], triangle[2])));
 }
 
+// The depth has 27 digits there, and lies beyond the middle between two doubles: the nearest one is more.
+TEST(QuadricContactConstants, ADepthBelowNormalDoublesIsRoundedDown) {
+  const double r = 0x1.cda0e546aaf7p-1002, s = 0x1.797efaca4dbdap-1002;
+  const Vec3 centre{-0x1.e19154e2f36adp-1002, -0x1.bfdcab4b8316p-1002, 0x1.0498b3fcca9dap-1001};
+  const Penetration found = penetration(ball_at(r, {}), ball_at(s, centre));
+  EXPECT_GT(found.lower, 0);
+  EXPECT_GE(squared(exact(r) + exact(s) - exact(found.lower)), squared_between(centre, {}));
+}
+
 }  // namespace
 }  // namespace toccata
