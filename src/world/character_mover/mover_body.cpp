@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -156,6 +157,17 @@ MoverBody::Placed MoverBody::placed_at(const Vec3& position) const {
   const Vec3 by = position - pose_.offset;
   for (Index i = 0; i < core->vertex_count(); ++i) few.add(core->vertex(i) + by);
   return placed;
+}
+
+RoundedBox MoverBody::reach_of(const Placed& placed, const Vec3& motion, double distance) const {
+  const FewCorners& corners = placed.corners;
+  const bool has_corners = corners.count > 0;
+  Aabb core = has_corners ? Aabb{} : box_at(placed.position);
+  for (std::size_t i = 0; i < corners.count; ++i) core = merge(core, corners.corners[i]);
+  const double extent = std::max(largest_magnitude(core.lower), largest_magnitude(core.upper));
+  const Aabb way = merge(core, Aabb{core.lower + motion, core.upper + motion});
+  const double slack = height_slack(extent, largest_magnitude(motion));
+  return {way, (has_corners ? radius_ : 0) + distance + slack};
 }
 
 MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing, double enough) const {

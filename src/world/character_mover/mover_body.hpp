@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -8,26 +9,27 @@
 #include "query/posed_shape.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/query/model.hpp"
+#include "world/character_mover/rounded_box.hpp"
 #include "world/character_mover/thing_edges.hpp"
 #include "world/character_mover/thing_planes.hpp"
 
 namespace toccata {
 
 /// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that
-/// is told by its planes and edges. By one thread at a time.
+/// is told by its planes and edges. By one thread at a time. Copies share it.
 class ElementSet {
  public:
-  explicit ElementSet(LevelSet set) : set_(std::move(set)) {}
+  explicit ElementSet(LevelSet set) : set_(std::make_shared<const LevelSet>(std::move(set))) {}
   explicit ElementSet(const Triangle& triangle) : triangle_(triangle) {}
 
   [[nodiscard]] const LevelSet& posed() const {
-    if (!set_) set_.emplace(std::in_place_type<PosedPolytope>, triangle_);
+    if (!set_) set_ = std::make_shared<const LevelSet>(std::in_place_type<PosedPolytope>, triangle_);
     return *set_;
   }
 
  private:
   Triangle triangle_{};
-  mutable std::optional<LevelSet> set_;
+  mutable std::shared_ptr<const LevelSet> set_;
 };
 
 /// A convex thing of the level, and what it is called.
@@ -73,6 +75,8 @@ class MoverBody {
     FewCorners corners;  ///< of the core
   };
   [[nodiscard]] Placed placed_at(const Vec3& position) const;
+  /// All that is no farther than that from it on a straight way, or a little farther.
+  [[nodiscard]] RoundedBox reach_of(const Placed& placed, const Vec3& motion, double distance) const;
   /// By how much the core is grown.
   [[nodiscard]] double radius() const { return radius_; }
 

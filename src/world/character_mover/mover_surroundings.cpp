@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "math/vec3_measures.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/meshes/world_search.hpp"
 #include "query/relation/relation_locality.hpp"
@@ -21,7 +22,8 @@ constexpr double parallel_slope = 0x1p-36, parallel_share = 0x1p-9;
 /// How much of the skin the planes that tell a distance may be wrong by at most.
 constexpr double witness_share = 0x1p-8;
 
-double most_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// What is farther than that beyond where it counts is left out unseen: more than a time and a distance may be off by.
+constexpr double share_of_spare = 0x1p-26;
 
 Aabb box_of_way(const Aabb& box, const Vec3& motion) {
   return merge(box, Aabb{box.lower + motion, box.upper + motion});
@@ -79,14 +81,16 @@ const LevelElement& MoverSurroundings::made(Candidate& candidate) {
 }
 
 std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
-  const Aabb box = widened(body_.box_at(position), distance);
-  look_around(box);
+  look_around(widened(body_.box_at(position), distance));
   const MoverBody::Placed placed = body_.placed_at(position);
+  const double spared = distance + share_of_spare * skin_;
+  const RoundedBox reach = body_.reach_of(placed, {}, spared);
   std::vector<NearThing> near;
   for (Candidate& candidate : candidates_) {
-    if (!overlap(candidate.box, box)) continue;
+    if (reach.misses(candidate.box)) continue;
     const LevelElement& element = made(candidate);
     if (body_.bound_of(placed, element, distance).distance > distance) continue;
+    if (passes_beside(placed.corners, {}, element.planes, body_.radius() + spared)) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
@@ -101,11 +105,13 @@ std::optional<MoverSurroundings::Holder> MoverSurroundings::holder_of(const Vec3
   return {};
 }
 
+double MoverSurroundings::spared_gap() const { return least_gap_ + share_of_spare * skin_; }
+
 double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 * skin_ / length(motion); }
 
 /// A way so long that it is better to go along it than to look up all around it.
 bool MoverSurroundings::is_long(const Vec3& motion) const {
-  return most_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
+  return largest_magnitude(motion) > 8 * std::max(body_.size(), 8 * skin_);
 }
 
 std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& position, const Vec3& motion,
@@ -136,7 +142,7 @@ std::optional<MoverSurroundings::Met> MoverSurroundings::meeting_with(const Leve
     if (is_leaving && gap.distance <= 0) return {};
     // So far the plane is known.
     const Vec3 at = position + time * motion;
-    const double extent = std::max(most_coordinate(at), most_coordinate(gap.point)) + body_.size();
+    const double extent = std::max(largest_magnitude(at), largest_magnitude(gap.point)) + body_.size();
     const double known = (witness_share * skin_ / witness_error) * (gap.witness / (extent * speed));
     time += is_leaving ? known : std::min(known, excess / approach);
     if (!(time <= limit)) return {};
@@ -164,7 +170,7 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
 
 /// So long that where it leads, and how far into a plane, is rounded by more than a 16th of the skin.
 bool MoverSurroundings::is_too_long_for_planes(const Vec3& motion) const {
-  return !(0x1p-50 * most_coordinate(motion) <= 0x1p-4 * skin_);
+  return !(0x1p-50 * largest_magnitude(motion) <= 0x1p-4 * skin_);
 }
 
 /// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
@@ -184,34 +190,61 @@ double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody:
   return free;
 }
 
-/// What the planes of the faces leave is looked at in the order of the times that they tell, and what has a vertex of
-/// the body over a face first: its distance is told by the face, and what lies in the same plane comes no sooner.
-std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
-                                                            std::optional<Index> without) {
-  const Aabb way = widened(box_of_way(body_.box_at(position), motion), skin_);
-  look_around(way);
-  const MoverBody::Placed start = body_.placed_at(position);
-  const double same = same_time(motion);
+/// The face and a side of a triangle keep the body away from it all the way.
+bool MoverSurroundings::is_passed(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& way) const {
+  if (is_too_long_for_planes(way)) return false;
+  return passes_beside(start.corners, way, thing.planes, body_.radius() + spared_gap());
+}
+
+/// What boxes and the planes of the faces leave, in the order of the times that the planes tell.
+std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const MoverBody::Placed& start,
+                                                                      const Vec3& motion,
+                                                                      std::optional<Index> without) {
+  const RoundedBox reach = body_.reach_of(start, motion, spared_gap());
   std::vector<Waiting> waiting;
   for (Candidate& candidate : candidates_) {
-    if (candidate.object == without || !overlap(candidate.box, way)) continue;
+    if (candidate.object == without || reach.misses(candidate.box)) continue;
     const LevelElement& element = made(candidate);
     const double time = free_until(element, start, motion);
-    if (time > 1) continue;
-    const MoverBody::Placed then = body_.placed_at(position + time * motion);
-    waiting.push_back({!body_.bound_of(then, element).planes.is_exact, time, &element});
+    if (time <= 1 && !is_passed(element, start, motion)) waiting.push_back({time, &element});
   }
-  std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
-    return std::tie(a.is_slow, a.time) < std::tie(b.is_slow, b.time);
-  });
+  std::stable_sort(waiting.begin(), waiting.end(),
+                   [](const Waiting& a, const Waiting& b) { return a.time < b.time; });
+  return waiting;
+}
+
+/// What has a vertex of the body over a face when its planes leave it is looked at first: its distance is told by the
+/// face, and what lies in the same plane comes no sooner.
+std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) {
+  look_around(widened(box_of_way(body_.box_at(position), motion), skin_));
+  const MoverBody::Placed start = body_.placed_at(position);
+  const double same = same_time(motion);
   std::vector<Met> met;
+  std::vector<Waiting> slow;
   double first = 1;
-  for (const Waiting& next : waiting) {
-    if (!met.empty() && next.is_slow && next.time >= first - same) continue;
-    const auto meeting = meeting_with(*next.thing, start, motion, std::min(1.0, first + same));
-    if (!meeting) continue;
+  const auto limit = [&] { return std::min(1.0, first + same); };
+  const auto is_passed_by_then = [&](const LevelElement& thing) {
+    return limit() < 1 && is_passed(thing, start, limit() * motion);
+  };
+  const auto look_at = [&](const LevelElement& thing) {
+    const auto meeting = meeting_with(thing, start, motion, limit());
+    if (!meeting) return;
     met.push_back(*meeting);
     first = std::min(first, meeting->time);
+  };
+  for (const Waiting& next : waiting_on(start, motion, without)) {
+    if (next.time > first + same) break;
+    if (is_passed_by_then(*next.thing)) continue;
+    const MoverBody::Placed then = body_.placed_at(position + next.time * motion);
+    if (body_.bound_of(then, *next.thing).planes.is_exact)
+      look_at(*next.thing);
+    else
+      slow.push_back(next);
+  }
+  for (const Waiting& next : slow) {
+    if (!met.empty() && next.time >= first - same) break;
+    if (!is_passed_by_then(*next.thing)) look_at(*next.thing);
   }
   return nearest_of(met, first, position, motion);
 }

@@ -58,8 +58,7 @@ class MoverSurroundings {
     bool is_proved = true;
   };
   struct Waiting {
-    bool is_slow;
-    double time;  ///< it is not met before
+    double time;  ///< it is not met before, but for rounding
     const LevelElement* thing;
   };
 
@@ -79,6 +78,8 @@ class MoverSurroundings {
   [[nodiscard]] bool is_too_long_for_planes(const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without);
+  [[nodiscard]] std::vector<Waiting> waiting_on(const MoverBody::Placed& start, const Vec3& motion,
+                                                std::optional<Index> without);
   [[nodiscard]] std::optional<MoverMeeting> first_far_on(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without) const;
   [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
@@ -86,6 +87,9 @@ class MoverSurroundings {
   [[nodiscard]] std::optional<Met> meeting_with(const LevelElement& thing, const MoverBody::Placed& start,
                                                 const Vec3& motion, double limit) const;
   [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
+  [[nodiscard]] bool is_passed(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& way) const;
+  /// What stays farther than this is not met.
+  [[nodiscard]] double spared_gap() const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "world/character_mover/face_normals.hpp"
 
 namespace toccata {
@@ -16,8 +17,6 @@ constexpr double height_error = 0x1p-48;
 /// How far, of the extent, the corners of a face may lie below its plane; and how wide, of its longest edge, a triangle
 /// has to be. Beyond that a normal and what is over a face are made of rounding, and exact distance has to decide.
 constexpr double greatest_bend = 0x1p-40, least_width = 0x1p-12;
-
-double most_of_coordinates(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& normal) {
   double top = -infinity;
@@ -38,6 +37,7 @@ void add_planes_of_triangle(ThingPlanes& planes, const Triangle& t) {
   add(normal);
   add(-normal);
   for (const Vec3& side : sides) add(normalized(cross(side, normal)));
+  planes.is_triangle = true;
 }
 
 /// None where a normal is no direction.
@@ -77,14 +77,14 @@ ThingPlanes planes_of(const LevelSet& set) {
   if (const auto* half = std::get_if<PosedHalfSpace>(&set)) {
     const Vec3 normal = normalized(half->normal);
     planes.planes[planes.count++] = {normal, dot(normal, half->point)};
-    planes.extent = most_of_coordinates(half->point);
+    planes.extent = largest_magnitude(half->point);
     return planes;
   }
   const auto* thing = std::get_if<PosedPolytope>(&set);
   if (thing == nullptr || thing->vertex_count() > 8) return planes;
   planes.radius = thing->radius();
   for (Index i = 0; i < thing->vertex_count(); ++i)
-    planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
+    planes.extent = std::max(planes.extent, largest_magnitude(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
   if (thing->vertex_count() == 3 && faces == 2)
     add_planes_of_triangle(planes, Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
@@ -94,14 +94,14 @@ ThingPlanes planes_of(const LevelSet& set) {
 
 ThingPlanes planes_of(const Triangle& triangle) {
   ThingPlanes planes;
-  for (const Vec3& corner : triangle.vertex) planes.extent = std::max(planes.extent, most_of_coordinates(corner));
+  for (const Vec3& corner : triangle.vertex) planes.extent = std::max(planes.extent, largest_magnitude(corner));
   add_planes_of_triangle(planes, triangle);
   return with_normals(planes);
 }
 
 void FewCorners::add(const Vec3& corner) {
   corners[count++] = corner;
-  extent = std::max(extent, most_of_coordinates(corner));
+  extent = std::max(extent, largest_magnitude(corner));
 }
 
 double height_slack(double extent_above, double extent_below) {
@@ -110,6 +110,20 @@ double height_slack(double extent_above, double extent_below) {
 
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
   return height_slack(above.extent, planes.extent);
+}
+
+bool passes_beside(const FewCorners& above, const Vec3& way, const ThingPlanes& planes, double distance) {
+  if (!planes.is_triangle || planes.count == 0 || above.count == 0) return false;
+  const double slack = height_slack(above, planes) + height_slack(largest_magnitude(way), 0);
+  std::array<double, 2> least{};  // over the face, and over a side
+  for (std::size_t p = 0; p < planes.count; ++p) {
+    const ThingPlanes::Plane& plane = planes.planes[p];
+    const double height = above.lowest_along(plane.normal) - plane.top + std::min(0.0, dot(plane.normal, way));
+    double& most = least[p < 2 ? 0 : 1];
+    most = std::max(most, height - 2 * slack);
+  }
+  const double reach = distance + planes.radius;
+  return least[0] * least[0] + least[1] * least[1] > reach * reach * (1 + 0x1p-40);
 }
 
 PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {

@@ -25,6 +25,8 @@ struct ThingPlanes {
   std::size_t count = 0;  ///< 0: of other sets, and of what is flat or nearly so
   double extent = 0;      ///< the greatest coordinate
   double radius = 0;      ///< of a ball by which the polytope is grown
+  /// Of a triangle: the first two are those of its face, and the others at right angles to them.
+  bool is_triangle = false;
 };
 
 [[nodiscard]] ThingPlanes planes_of(const LevelSet& set);
@@ -59,6 +61,10 @@ struct PlaneGap {
 /// What heights along unit vectors may be off by, of things whose coordinates are no greater.
 [[nodiscard]] double height_slack(double extent_above, double extent_below);
 [[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
+
+/// A polytope that goes along a straight way is farther from a triangle than that all the time: its least heights over
+/// the face and over a side of it are at right angles. Proved; of other things it is not told.
+[[nodiscard]] bool passes_beside(const FewCorners& above, const Vec3& way, const ThingPlanes& planes, double distance);
 
 /// By the first plane that is `enough`, or else the best.
 [[nodiscard]] PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes,
