@@ -25,6 +25,9 @@ constexpr double witness_share = 0x1p-8;
 /// What is farther than that beyond where it counts is left out unseen: more than a time and a distance may be off by.
 constexpr double share_of_spare = 0x1p-26;
 
+/// Room is made at once for so many triangles around a body.
+constexpr std::size_t usual_number = 256;
+
 Aabb box_of_way(const Aabb& box, const Vec3& motion) {
   return merge(box, Aabb{box.lower + motion, box.upper + motion});
 }
@@ -40,6 +43,7 @@ void MoverSurroundings::look_around(const Aabb& box) {
 
 void MoverSurroundings::gather() {
   candidates_.clear();
+  faces_.clear();
   elements_.clear();
   solids_.clear();
   std::vector<Index> near;
@@ -51,20 +55,25 @@ void MoverSurroundings::gather() {
   for (const Index object : near) gather_object(object);
 }
 
+void MoverSurroundings::gather_triangles(const PosedMesh& mesh, Index object, Index first_element) {
+  std::vector<MeshTriangle> near;
+  std::vector<std::pair<Index, std::size_t>> order;
+  near.reserve(usual_number);
+  order.reserve(usual_number);
+  visit_world_triangles(mesh, region_, [&](const MeshTriangle& triangle) {
+    order.emplace_back(triangle.number, near.size());
+    near.push_back(triangle);
+  });
+  std::sort(order.begin(), order.end());
+  candidates_.reserve(candidates_.size() + near.size());
+  for (const auto& [number, place] : order)
+    candidates_.push_back({near[place].box, near[place].corners, object, first_element + number});
+}
+
 void MoverSurroundings::gather_object(Index object) {
-  std::vector<Index> triangles;
   for (const PosedPart& part : level_parts(objects_, object)) {
     if (const auto* mesh = std::get_if<PosedTriangles>(&part.shape)) {
-      triangles.clear();
-      visit_triangles_near(mesh->mesh, region_, [&](Index i) {
-        triangles.push_back(i);
-        return true;
-      });
-      std::sort(triangles.begin(), triangles.end());
-      for (const Index i : triangles) {
-        const Triangle corners = mesh->mesh.triangle(i);
-        candidates_.push_back({box_of(corners), corners, object, part.first_element + i, nullptr});
-      }
+      gather_triangles(mesh->mesh, object, part.first_element);
       if (mesh->solid) solids_.push_back({object, mesh->mesh});
     } else if (overlap(world_box(part.shape), region_)) {
       const LevelElement& element = elements_.emplace_back(element_of(part, object));
@@ -74,10 +83,19 @@ void MoverSurroundings::gather_object(Index object) {
 }
 
 const LevelElement& MoverSurroundings::made(Candidate& candidate) {
-  if (candidate.made == nullptr)
-    candidate.made =
-        &elements_.emplace_back(element_of(candidate.triangle, candidate.object, candidate.element, candidate.box));
+  if (const TriangleFace* face = face_alone(candidate); face != nullptr)
+    candidate.made = &elements_.emplace_back(
+        element_of(candidate.triangle, *face, candidate.object, candidate.element, candidate.box));
   return *candidate.made;
+}
+
+const TriangleFace* MoverSurroundings::face_alone(Candidate& candidate) {
+  if (candidate.made != nullptr) return nullptr;
+  if (candidate.face == no_face) {
+    candidate.face = faces_.size();
+    faces_.push_back(face_of(candidate.triangle));
+  }
+  return &faces_[candidate.face];
 }
 
 std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
@@ -90,7 +108,7 @@ std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, do
     if (reach.misses(candidate.box)) continue;
     const LevelElement& element = made(candidate);
     if (body_.bound_of(placed, element, distance).distance > distance) continue;
-    if (passes_beside(placed.corners, {}, element.planes, body_.radius() + spared)) continue;
+    if (is_beside(placed.corners, element.planes, body_.radius() + spared)) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
@@ -104,8 +122,6 @@ std::optional<MoverSurroundings::Holder> MoverSurroundings::holder_of(const Vec3
     if (overlap(solid.mesh.box(), Aabb{point, point}) && is_interior(point, solid.mesh)) return solid;
   return {};
 }
-
-double MoverSurroundings::spared_gap() const { return least_gap_ + share_of_spare * skin_; }
 
 double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 * skin_ / length(motion); }
 
@@ -173,43 +189,30 @@ bool MoverSurroundings::is_too_long_for_planes(const Vec3& motion) const {
   return !(0x1p-50 * largest_magnitude(motion) <= 0x1p-4 * skin_);
 }
 
-/// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
-double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
-                                     const Vec3& motion) const {
-  const FewCorners& corners = start.corners;
-  if (corners.count == 0 || is_too_long_for_planes(motion)) return 0;
-  const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
+std::optional<PlaneCast> MoverSurroundings::plane_cast(const MoverBody::Placed& start, const Vec3& motion) const {
+  if (start.corners.count == 0 || is_too_long_for_planes(motion)) return {};
   const double parallel_speed = std::min(parallel_slope * length(motion), parallel_share * skin_);
-  double free = 0;
-  for (std::size_t p = 0; p < thing.planes.count && free <= 1; ++p) {
-    const ThingPlanes::Plane& plane = thing.planes.planes[p];
-    const double excess = corners.lowest_along(plane.normal) - plane.top - taken;
-    const double approach = -dot(plane.normal, motion);
-    if (excess >= 0) free = std::max(free, approach <= parallel_speed ? 2 : excess / approach);
-  }
-  return free;
+  return PlaneCast(start.corners, motion, {body_.radius() + least_gap_, share_of_spare * skin_, parallel_speed});
 }
 
-/// The face and a side of a triangle keep the body away from it all the way.
-bool MoverSurroundings::is_passed(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& way) const {
-  if (is_too_long_for_planes(way)) return false;
-  return passes_beside(start.corners, way, thing.planes, body_.radius() + spared_gap());
-}
-
-/// What boxes and the planes of the faces leave, in the order of the times that the planes tell.
+/// What boxes and planes leave, in the order of the times that these tell.
 std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const MoverBody::Placed& start,
                                                                       const Vec3& motion,
                                                                       std::optional<Index> without) {
-  const RoundedBox reach = body_.reach_of(start, motion, spared_gap());
+  const RoundedBox reach = body_.reach_of(start, motion, least_gap_ + share_of_spare * skin_);
+  const std::optional<PlaneCast> planes = plane_cast(start, motion);
   std::vector<Waiting> waiting;
   for (Candidate& candidate : candidates_) {
     if (candidate.object == without || reach.misses(candidate.box)) continue;
+    const TriangleFace* face = face_alone(candidate);
+    if (planes && face != nullptr && planes->is_kept_off(*face)) continue;
     const LevelElement& element = made(candidate);
-    const double time = free_until(element, start, motion);
-    if (time <= 1 && !is_passed(element, start, motion)) waiting.push_back({time, &element});
+    const PlaneCast::Times times = planes ? planes->times_of(element.planes) : PlaneCast::Times{};
+    if (times.free <= 1 && times.earliest <= 1) waiting.push_back({times, &element});
   }
-  std::stable_sort(waiting.begin(), waiting.end(),
-                   [](const Waiting& a, const Waiting& b) { return a.time < b.time; });
+  std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tie(a.times.earliest, a.times.free) < std::tie(b.times.earliest, b.times.free);
+  });
   return waiting;
 }
 
@@ -223,28 +226,27 @@ std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position
   std::vector<Met> met;
   std::vector<Waiting> slow;
   double first = 1;
-  const auto limit = [&] { return std::min(1.0, first + same); };
-  const auto is_passed_by_then = [&](const LevelElement& thing) {
-    return limit() < 1 && is_passed(thing, start, limit() * motion);
-  };
   const auto look_at = [&](const LevelElement& thing) {
-    const auto meeting = meeting_with(thing, start, motion, limit());
+    const auto meeting = meeting_with(thing, start, motion, std::min(1.0, first + same));
     if (!meeting) return;
     met.push_back(*meeting);
     first = std::min(first, meeting->time);
   };
   for (const Waiting& next : waiting_on(start, motion, without)) {
-    if (next.time > first + same) break;
-    if (is_passed_by_then(*next.thing)) continue;
-    const MoverBody::Placed then = body_.placed_at(position + next.time * motion);
+    if (next.times.earliest > first + same) break;
+    const MoverBody::Placed then = body_.placed_at(position + next.times.free * motion);
     if (body_.bound_of(then, *next.thing).planes.is_exact)
       look_at(*next.thing);
     else
       slow.push_back(next);
   }
+  std::stable_sort(slow.begin(), slow.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tuple(a.times.free, a.thing->object, a.thing->element) <
+           std::tuple(b.times.free, b.thing->object, b.thing->element);
+  });
   for (const Waiting& next : slow) {
-    if (!met.empty() && next.time >= first - same) break;
-    if (!is_passed_by_then(*next.thing)) look_at(*next.thing);
+    if (!met.empty() && next.times.free >= first - same) break;
+    if (next.times.earliest <= first + same) look_at(*next.thing);
   }
   return nearest_of(met, first, position, motion);
 }
@@ -255,12 +257,13 @@ std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position
   const Vec3 half = 0.5 * (box.upper - box.lower);
   const PosedPolytope moving(Box(half + 0x1p-20 * half, 0.5 * (box.lower + box.upper)));
   const MoverBody::Placed start = body_.placed_at(position);
+  const std::optional<PlaneCast> planes = plane_cast(start, motion);
   std::deque<LevelElement> seen;  // what is in it stays where it is
   std::vector<Met> met;
   double first = 1;
   const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
   const auto look_at = [&](LevelElement element) {
-    if (!(free_until(element, start, motion) <= limit())) return limit();
+    if (planes && !(planes->times_of(element.planes).free <= limit())) return limit();
     const auto meeting = meeting_with(element, start, motion, limit());
     if (!meeting) return limit();
     seen.push_back(std::move(element));

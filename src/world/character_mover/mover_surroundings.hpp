@@ -8,6 +8,7 @@
 
 #include "query/scenes/object_search.hpp"
 #include "world/character_mover/mover_body.hpp"
+#include "world/character_mover/plane_cast.hpp"
 
 namespace toccata {
 
@@ -58,9 +59,11 @@ class MoverSurroundings {
     bool is_proved = true;
   };
   struct Waiting {
-    double time;  ///< it is not met before, but for rounding
+    PlaneCast::Times times;
     const LevelElement* thing;
   };
+
+  static constexpr auto no_face = static_cast<std::size_t>(-1);
 
   /// Something whose box meets the region. What a triangle's planes and edges are is found when it is first looked at.
   struct Candidate {
@@ -69,11 +72,15 @@ class MoverSurroundings {
     Index object = 0;
     Index element = 0;
     const LevelElement* made = nullptr;
+    std::size_t face = no_face;  ///< in `faces_`
   };
   [[nodiscard]] const LevelElement& made(Candidate& candidate);
+  /// The face of a triangle of which no more has been asked yet; valid until the next is asked for.
+  [[nodiscard]] const TriangleFace* face_alone(Candidate& candidate);
 
   void gather();
   void gather_object(Index object);
+  void gather_triangles(const PosedMesh& mesh, Index object, Index first_element);
   [[nodiscard]] bool is_long(const Vec3& motion) const;
   [[nodiscard]] bool is_too_long_for_planes(const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
@@ -86,10 +93,8 @@ class MoverSurroundings {
                                                        const Vec3& motion) const;
   [[nodiscard]] std::optional<Met> meeting_with(const LevelElement& thing, const MoverBody::Placed& start,
                                                 const Vec3& motion, double limit) const;
-  [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
-  [[nodiscard]] bool is_passed(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& way) const;
-  /// What stays farther than this is not met.
-  [[nodiscard]] double spared_gap() const;
+  /// None where planes tell nothing.
+  [[nodiscard]] std::optional<PlaneCast> plane_cast(const MoverBody::Placed& start, const Vec3& motion) const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;
 
@@ -99,6 +104,7 @@ class MoverSurroundings {
   double least_gap_;
   Aabb region_;  ///< what meets it is in `candidates_`
   std::vector<Candidate> candidates_;
+  std::vector<TriangleFace> faces_;
   std::deque<LevelElement> elements_;
   std::vector<Holder> solids_;
 };

@@ -24,20 +24,10 @@ void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& norm
   planes.planes[planes.count++] = {normal, top};
 }
 
-/// Where it is not so narrow that its corners are on a line, but for rounding.
-void add_planes_of_triangle(ThingPlanes& planes, const Triangle& t) {
-  const std::array<Vec3, 3> sides{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-  const Vec3 across = cross(sides[0], t[2] - t[0]);
-  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
-  if (!(length(across) > least_width * longest_square)) return;
-  const Vec3 normal = normalized(across);
-  const auto add = [&](const Vec3& n) {
-    planes.planes[planes.count++] = {n, std::max({dot(n, t[0]), dot(n, t[1]), dot(n, t[2])})};
-  };
-  add(normal);
-  add(-normal);
-  for (const Vec3& side : sides) add(normalized(cross(side, normal)));
-  planes.is_triangle = true;
+std::array<Vec3, 3> sides_of(const Triangle& t) { return {t[1] - t[0], t[2] - t[1], t[0] - t[2]}; }
+
+ThingPlanes::Plane plane_over(const Triangle& t, const Vec3& normal) {
+  return {normal, std::max({dot(normal, t[0]), dot(normal, t[1]), dot(normal, t[2])})};
 }
 
 /// None where a normal is no direction.
@@ -86,18 +76,44 @@ ThingPlanes planes_of(const LevelSet& set) {
   for (Index i = 0; i < thing->vertex_count(); ++i)
     planes.extent = std::max(planes.extent, largest_magnitude(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
-  if (thing->vertex_count() == 3 && faces == 2)
-    add_planes_of_triangle(planes, Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
+  if (thing->vertex_count() == 3 && faces == 2) {
+    const double radius = planes.radius;
+    planes = planes_of(Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
+    planes.radius = radius;
+  }
   if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) add_planes_of_faces(planes, *thing);
   return with_normals(planes);
 }
 
-ThingPlanes planes_of(const Triangle& triangle) {
+/// Where it is not so narrow that its corners are on a line, but for rounding.
+TriangleFace face_of(const Triangle& t) {
+  TriangleFace face;
+  for (const Vec3& corner : t.vertex) face.extent = std::max(face.extent, largest_magnitude(corner));
+  const std::array<Vec3, 3> sides = sides_of(t);
+  const Vec3 across = cross(sides[0], t[2] - t[0]);
+  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
+  if (!(length(across) > least_width * longest_square)) return face;
+  const Vec3 normal = normalized(across);
+  face.upper = plane_over(t, normal);
+  face.lower = plane_over(t, -normal);
+  face.is_told = !(normal == Vec3{});
+  return face;
+}
+
+ThingPlanes planes_of(const Triangle& triangle, const TriangleFace& face) {
   ThingPlanes planes;
-  for (const Vec3& corner : triangle.vertex) planes.extent = std::max(planes.extent, largest_magnitude(corner));
-  add_planes_of_triangle(planes, triangle);
+  planes.extent = face.extent;
+  planes.is_triangle = true;
+  if (!face.is_told) return planes;
+  planes.planes[0] = face.upper;
+  planes.planes[1] = face.lower;
+  planes.count = 2;
+  for (const Vec3& side : sides_of(triangle))
+    planes.planes[planes.count++] = plane_over(triangle, normalized(cross(side, face.upper.normal)));
   return with_normals(planes);
 }
+
+ThingPlanes planes_of(const Triangle& triangle) { return planes_of(triangle, face_of(triangle)); }
 
 void FewCorners::add(const Vec3& corner) {
   corners[count++] = corner;
@@ -110,20 +126,6 @@ double height_slack(double extent_above, double extent_below) {
 
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
   return height_slack(above.extent, planes.extent);
-}
-
-bool passes_beside(const FewCorners& above, const Vec3& way, const ThingPlanes& planes, double distance) {
-  if (!planes.is_triangle || planes.count == 0 || above.count == 0) return false;
-  const double slack = height_slack(above, planes) + height_slack(largest_magnitude(way), 0);
-  std::array<double, 2> least{};  // over the face, and over a side
-  for (std::size_t p = 0; p < planes.count; ++p) {
-    const ThingPlanes::Plane& plane = planes.planes[p];
-    const double height = above.lowest_along(plane.normal) - plane.top + std::min(0.0, dot(plane.normal, way));
-    double& most = least[p < 2 ? 0 : 1];
-    most = std::max(most, height - 2 * slack);
-  }
-  const double reach = distance + planes.radius;
-  return least[0] * least[0] + least[1] * least[1] > reach * reach * (1 + 0x1p-40);
 }
 
 PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {
