@@ -8,8 +8,7 @@ namespace {
 
 LevelElement with_planes(LevelSet set, Index object, Index element, const Aabb& box) {
   const ThingPlanes planes = planes_of(set);
-  const ThingEdges edges = edges_of(set);
-  return {ElementSet(std::move(set)), object, element, box, planes, edges};
+  return {ElementSet(std::move(set)), object, element, box, planes};
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ LevelElement element_of(const PosedPart& part, Index object) {
 
 LevelElement element_of(const Triangle& triangle, const TriangleFace& face, Index object, Index element,
                         const Aabb& box) {
-  return {ElementSet(triangle), object, element, box, planes_of(triangle, face), edges_of(triangle)};
+  return {ElementSet(triangle), object, element, box, planes_of(triangle, face)};
 }
 
 LevelElement element_of(const PosedMesh& mesh, Index triangle, Index first_element, Index object) {

@@ -59,6 +59,10 @@ std::variant<PosedPolytope, PosedQuadric> posed_set(const Shape& shape, const Po
 
 }  // namespace
 
+ElementSet::ElementSet(LevelSet set)
+    : set_(std::make_shared<const LevelSet>(std::move(set))),
+      edges_(std::make_shared<const ThingEdges>(edges_of(*set_))) {}
+
 MoverBody::MoverBody(const Model& shape, const Pose& pose)
     : model_(require_mover(shape)),
       pose_(pose),
@@ -181,7 +185,7 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
   if (bound.planes.is_exact)
     return {bound.distance, bound.planes.normal, bound.planes.foot + thing.planes.radius * bound.planes.normal,
             bound.planes.distance};
-  if (const auto edge = edge_gap(placed.corners, thing.edges))
+  if (const auto edge = thing.set.gap_at_edge(placed.corners))
     return {edge->distance - radius_ - thing.planes.radius, edge->normal,
             edge->foot + thing.planes.radius * edge->normal, edge->distance};
   const Set placed_core = at(core_, placed.position);

@@ -15,11 +15,11 @@
 
 namespace toccata {
 
-/// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that
-/// is told by its planes and edges. By one thread at a time. Copies share it.
+/// A set, and its edges. A triangle is posed when that is first asked for: that is seldom, and takes longer than all that
+/// is told by its planes and edges. By one thread at a time. Copies share what is posed.
 class ElementSet {
  public:
-  explicit ElementSet(LevelSet set) : set_(std::make_shared<const LevelSet>(std::move(set))) {}
+  explicit ElementSet(LevelSet set);
   explicit ElementSet(const Triangle& triangle) : triangle_(triangle) {}
 
   [[nodiscard]] const LevelSet& posed() const {
@@ -27,9 +27,14 @@ class ElementSet {
     return *set_;
   }
 
+  [[nodiscard]] std::optional<EdgeGap> gap_at_edge(const FewCorners& core) const {
+    return edges_ ? edge_gap(core, *edges_) : edge_gap(core, edges_of(triangle_));
+  }
+
  private:
   Triangle triangle_{};
   mutable std::shared_ptr<const LevelSet> set_;
+  std::shared_ptr<const ThingEdges> edges_;  ///< none: of the triangle
 };
 
 /// A convex thing of the level, and what it is called.
@@ -39,7 +44,6 @@ struct LevelElement {
   Index element = 0;  ///< as in Model
   Aabb box;           ///< around it, in the world
   ThingPlanes planes;
-  ThingEdges edges;
 };
 
 /// How far a body is from a convex thing.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/meshes/world_search.hpp"
@@ -24,6 +25,9 @@ constexpr double witness_share = 0x1p-8;
 
 /// What is farther than that beyond where it counts is left out unseen: more than a time and a distance may be off by.
 constexpr double share_of_spare = 0x1p-26;
+
+/// So many things are looked at without asking first which of them is met at the latest.
+constexpr std::size_t few_enough = 3;
 
 /// Room is made at once for so many triangles around a body.
 constexpr std::size_t usual_number = 256;
@@ -195,20 +199,57 @@ std::optional<PlaneCast> MoverSurroundings::plane_cast(const MoverBody::Placed& 
   return PlaneCast(start.corners, motion, {body_.radius() + least_gap_, share_of_spare * skin_, parallel_speed});
 }
 
+RoundedBox MoverSurroundings::reach_of_way(const MoverBody::Placed& start, const Vec3& motion) const {
+  return body_.reach_of(start, motion, least_gap_ + share_of_spare * skin_);
+}
+
+/// What boxes and the faces of triangles leave.
+std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const MoverBody::Placed& start,
+                                                                         const Vec3& motion,
+                                                                         const std::optional<PlaneCast>& planes,
+                                                                         std::optional<Index> without) {
+  const RoundedBox reach = reach_of_way(start, motion);
+  std::vector<Candidate*> near;
+  for (Candidate& candidate : candidates_) {
+    if (candidate.object == without || reach.misses(candidate.box)) continue;
+    const TriangleFace* face = planes ? face_alone(candidate) : nullptr;
+    if (face == nullptr || !planes->is_kept_off(*face)) near.push_back(&candidate);
+  }
+  return near;
+}
+
+/// No later than this something is met: the one that is nearest at the start is asked. What boxes tell to be met later
+/// need not be looked at.
+double MoverSurroundings::latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
+                                      const Vec3& motion) {
+  const RoundedBox at_start = reach_of_way(start, {});
+  Candidate* nearest = nullptr;
+  double least = infinity;
+  for (Candidate* candidate : near) {
+    const double square = at_start.square_of_distance(candidate->box);
+    if (!(square < least)) continue;
+    least = square;
+    nearest = candidate;
+  }
+  if (nearest == nullptr) return 1;
+  const auto meeting = meeting_with(made(*nearest), start, motion, 1);
+  return meeting ? std::min(1.0, meeting->time + 2 * same_time(motion)) : 1;
+}
+
 /// What boxes and planes leave, in the order of the times that these tell.
 std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const MoverBody::Placed& start,
                                                                       const Vec3& motion,
                                                                       std::optional<Index> without) {
-  const RoundedBox reach = body_.reach_of(start, motion, least_gap_ + share_of_spare * skin_);
   const std::optional<PlaneCast> planes = plane_cast(start, motion);
+  const std::vector<Candidate*> near = on_the_way(start, motion, planes, without);
+  const double latest = near.size() > few_enough ? latest_time(near, start, motion) : 1;
+  const RoundedBox reach = reach_of_way(start, latest * motion);
   std::vector<Waiting> waiting;
-  for (Candidate& candidate : candidates_) {
-    if (candidate.object == without || reach.misses(candidate.box)) continue;
-    const TriangleFace* face = face_alone(candidate);
-    if (planes && face != nullptr && planes->is_kept_off(*face)) continue;
-    const LevelElement& element = made(candidate);
+  for (Candidate* candidate : near) {
+    if (reach.misses(candidate->box)) continue;
+    const LevelElement& element = made(*candidate);
     const PlaneCast::Times times = planes ? planes->times_of(element.planes) : PlaneCast::Times{};
-    if (times.free <= 1 && times.earliest <= 1) waiting.push_back({times, &element});
+    if (times.free <= 1 && times.earliest <= latest) waiting.push_back({times, &element});
   }
   std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
     return std::tie(a.times.earliest, a.times.free) < std::tie(b.times.earliest, b.times.free);

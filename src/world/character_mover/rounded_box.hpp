@@ -13,11 +13,14 @@ class RoundedBox {
 
   /// No point of the other box is within the radius: proved, as the sum of squares is off by less than what the square
   /// of the radius is enlarged by.
-  [[nodiscard]] bool misses(const Aabb& other) const {
+  [[nodiscard]] bool misses(const Aabb& other) const { return square_of_distance(other) > square_; }
+
+  /// From the box, but for rounding.
+  [[nodiscard]] double square_of_distance(const Aabb& other) const {
     const double x = between(core_.lower.x, core_.upper.x, other.lower.x, other.upper.x);
     const double y = between(core_.lower.y, core_.upper.y, other.lower.y, other.upper.y);
     const double z = between(core_.lower.z, core_.upper.z, other.lower.z, other.upper.z);
-    return x * x + y * y + z * z > square_;
+    return x * x + y * y + z * z;
   }
 
  private:
