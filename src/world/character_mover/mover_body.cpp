@@ -174,6 +174,14 @@ RoundedBox MoverBody::reach_of(const Placed& placed, const Vec3& motion, double 
   return {way, (has_corners ? radius_ : 0) + distance + slack};
 }
 
+RoundedBox MoverBody::reached_in(const Aabb& box) const {
+  if (placed_at(pose_.offset).corners.count == 0) return {box, 0};
+  const double extent = std::max(largest_magnitude(box.lower), largest_magnitude(box.upper));
+  const double slack = 4 * height_slack(extent, 0), inward = radius_ - slack;
+  const Vec3 by{inward, inward, inward};
+  return {{box.lower + by, box.upper - by}, radius_ + slack};
+}
+
 MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing, double enough) const {
   const double radii = radius_ + thing.planes.radius;
   const PlaneGap gap = plane_gap(placed.corners, thing.planes, enough + radii);

@@ -81,6 +81,8 @@ class MoverBody {
   [[nodiscard]] Placed placed_at(const Vec3& position) const;
   /// All that is no farther than that from it on a straight way, or a little farther.
   [[nodiscard]] RoundedBox reach_of(const Placed& placed, const Vec3& motion, double distance) const;
+  /// The part of a box that bodies that lie in it may come near to: no corners beside a round one.
+  [[nodiscard]] RoundedBox reached_in(const Aabb& box) const;
   /// By how much the core is grown.
   [[nodiscard]] double radius() const { return radius_; }
 

@@ -64,7 +64,9 @@ void MoverSurroundings::gather_triangles(const PosedMesh& mesh, Index object, In
   std::vector<std::pair<Index, std::size_t>> order;
   near.reserve(usual_number);
   order.reserve(usual_number);
+  const RoundedBox reached = body_.reached_in(region_);
   visit_world_triangles(mesh, region_, [&](const MeshTriangle& triangle) {
+    if (reached.misses(triangle.box)) return;
     order.emplace_back(triangle.number, near.size());
     near.push_back(triangle);
   });
@@ -107,12 +109,14 @@ std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, do
   const MoverBody::Placed placed = body_.placed_at(position);
   const double spared = distance + share_of_spare * skin_;
   const RoundedBox reach = body_.reach_of(placed, {}, spared);
+  const PlaneCast kept(placed.corners, {}, {body_.radius() + spared, 0, 0});
+  const bool has_planes = placed.corners.count > 0;
   std::vector<NearThing> near;
   for (Candidate& candidate : candidates_) {
     if (reach.misses(candidate.box)) continue;
+    if (has_planes && is_kept_off(candidate, kept)) continue;
     const LevelElement& element = made(candidate);
-    if (body_.bound_of(placed, element, distance).distance > distance) continue;
-    if (is_beside(placed.corners, element.planes, body_.radius() + spared)) continue;
+    if (has_planes && kept.times_of(element.planes).earliest > 1) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
@@ -203,6 +207,12 @@ RoundedBox MoverSurroundings::reach_of_way(const MoverBody::Placed& start, const
   return body_.reach_of(start, motion, least_gap_ + share_of_spare * skin_);
 }
 
+/// By the face of a triangle of which no more is known yet.
+bool MoverSurroundings::is_kept_off(Candidate& candidate, const PlaneCast& planes) {
+  const TriangleFace* face = face_alone(candidate);
+  return face != nullptr && planes.is_kept_off(*face);
+}
+
 /// What boxes and the faces of triangles leave.
 std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const MoverBody::Placed& start,
                                                                          const Vec3& motion,
@@ -212,8 +222,7 @@ std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const M
   std::vector<Candidate*> near;
   for (Candidate& candidate : candidates_) {
     if (candidate.object == without || reach.misses(candidate.box)) continue;
-    const TriangleFace* face = planes ? face_alone(candidate) : nullptr;
-    if (face == nullptr || !planes->is_kept_off(*face)) near.push_back(&candidate);
+    if (!planes || !is_kept_off(candidate, *planes)) near.push_back(&candidate);
   }
   return near;
 }

@@ -77,6 +77,7 @@ class MoverSurroundings {
   [[nodiscard]] const LevelElement& made(Candidate& candidate);
   /// The face of a triangle of which no more has been asked yet; valid until the next is asked for.
   [[nodiscard]] const TriangleFace* face_alone(Candidate& candidate);
+  [[nodiscard]] bool is_kept_off(Candidate& candidate, const PlaneCast& planes);
 
   void gather();
   void gather_object(Index object);

@@ -78,9 +78,4 @@ PlaneCast::Times PlaneCast::times_of(const ThingPlanes& planes) const {
   return times;
 }
 
-bool is_beside(const FewCorners& above, const ThingPlanes& planes, double distance) {
-  if (!planes.is_triangle || planes.count == 0 || above.count == 0) return false;
-  return PlaneCast(above, {}, {distance, 0, 0}).times_of(planes).earliest > 1;
-}
-
 }  // namespace toccata

@@ -45,8 +45,4 @@ class PlaneCast {
   Reach reach_;
 };
 
-/// A polytope is farther from a triangle than that: its heights over the face and over a side are at right angles.
-/// Proved; of other things it is not told.
-[[nodiscard]] bool is_beside(const FewCorners& above, const ThingPlanes& planes, double distance);
-
 }  // namespace toccata

@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "math/constants.hpp"
-#include "math/vec3_measures.hpp"
 #include "world/character_mover/face_normals.hpp"
 
 namespace toccata {
 namespace {
-
-/// More than a height along a unit normal, and the difference of two, is off by for coordinates no greater than 1: 4
-/// roundings of sums of three products, and a normal whose length is off by 2.
-constexpr double height_error = 0x1p-48;
 
 /// How far, of the extent, the corners of a face may lie below its plane; and how wide, of its longest edge, a triangle
 /// has to be. Beyond that a normal and what is over a face are made of rounding, and exact distance has to decide.
@@ -114,15 +109,6 @@ ThingPlanes planes_of(const Triangle& triangle, const TriangleFace& face) {
 }
 
 ThingPlanes planes_of(const Triangle& triangle) { return planes_of(triangle, face_of(triangle)); }
-
-void FewCorners::add(const Vec3& corner) {
-  corners[count++] = corner;
-  extent = std::max(extent, largest_magnitude(corner));
-}
-
-double height_slack(double extent_above, double extent_below) {
-  return height_error * std::max(extent_above, extent_below);
-}
 
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
   return height_slack(above.extent, planes.extent);
