@@ -105,7 +105,8 @@ std::string fault_of(const EdgeCase& one, const EdgeGap& gap) {
   if ((told + tolerance) * (told + tolerance) < square) return "the distance is more than is told";
   const oracle::RationalPoint normal = exact(gap.normal), foot = exact(gap.foot);
   if (abs(dot(normal, normal) - Rational(1)) > exact(0x1p-50)) return "the normal is not of length 1";
-  if (least_height(core, normal) + least_height(triangle, -normal) < told) return "the normal does not tell the distance";
+  if (least_height(core, normal) + least_height(triangle, -normal) < told)
+    return "the normal does not tell the distance";
   const oracle::ConvexSet point = oracle::point_set(gap.foot);
   if (oracle::squared_distance(point, triangle) > tolerance * tolerance) return "the foot is not on the triangle";
   const Rational reach = told + tolerance + tolerance;
@@ -157,10 +158,10 @@ TEST(EdgeGap, OfSimplePlaces) {
   const auto beside = of({-3, -4, 0}, {-3, -4, 0});  // a point, nearest to a corner
   ASSERT_TRUE(beside);
   EXPECT_NEAR(beside->distance, 5, 1e-12);
-  EXPECT_FALSE(of({1, 1, 1}, {1, 1, 3}));    // over the face
-  EXPECT_FALSE(of({1, 1, -1}, {1, 1, 1}));   // through it
-  EXPECT_FALSE(of({2, 0, -1}, {2, 0, 1}));   // through an edge
-  EXPECT_FALSE(of({2, 0, 0}, {2, -3, 0}));   // begins on one
+  EXPECT_FALSE(of({1, 1, 1}, {1, 1, 3}));   // over the face
+  EXPECT_FALSE(of({1, 1, -1}, {1, 1, 1}));  // through it
+  EXPECT_FALSE(of({2, 0, -1}, {2, 0, 1}));  // through an edge
+  EXPECT_FALSE(of({2, 0, 0}, {2, -3, 0}));  // begins on one
 }
 
 /// Three of its corners are the core: only points and segments are told.

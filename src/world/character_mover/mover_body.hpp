@@ -15,8 +15,8 @@
 
 namespace toccata {
 
-/// A set, and its edges. A triangle is posed when that is first asked for: that is seldom, and takes longer than all that
-/// is told by its planes and edges. By one thread at a time. Copies share what is posed.
+/// A set, and its edges. A triangle is posed when that is first asked for: that is seldom, and takes longer than all
+/// that is told by its planes and edges. By one thread at a time. Copies share what is posed.
 class ElementSet {
  public:
   explicit ElementSet(LevelSet set);

@@ -89,7 +89,8 @@ class MoverSurroundings {
   [[nodiscard]] std::vector<Waiting> waiting_on(const MoverBody::Placed& start, const Vec3& motion,
                                                 std::optional<Index> without);
   [[nodiscard]] std::vector<Candidate*> on_the_way(const MoverBody::Placed& start, const Vec3& motion,
-                                                   const std::optional<PlaneCast>& planes, std::optional<Index> without);
+                                                   const std::optional<PlaneCast>& planes,
+                                                   std::optional<Index> without);
   [[nodiscard]] double latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
                                    const Vec3& motion);
   [[nodiscard]] RoundedBox reach_of_way(const MoverBody::Placed& start, const Vec3& motion) const;
