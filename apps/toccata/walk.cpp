@@ -95,7 +95,7 @@ WalkQuestion walk_asked(const WalkArguments& arguments, const Scene& scene) {
 }
 
 int run_walk(const WalkArguments& arguments, const std::vector<std::string>& asking) {
-  if (const auto code = answered_case(arguments, {.asks = "walk", .asking = asking, .needs_options = true}))
+  if (const auto code = answered_case(arguments, {.asks = "walk", .needs_options = true, .asking = asking}))
     return *code;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
