@@ -224,6 +224,19 @@ def locations(folder):
         yield report
     for by in ["bsp", "msp"]:
         yield asked(folder, "locate", "gen:torus-knot", "--by", by)
+def subdivisions(folder):
+    """The mesh of a cage, and how far its limit is from another object and another limit."""
+    (folder / "creases.txt").write_text("crease 0 1\ncorner 7 1.5\n")
+    mesh = asked(folder, "subdivide", "scenes/a.obj", "--within", "0.3", "--levels", "1", "--crease-angle", "170")
+    assert mesh["status"] == "exact" and mesh["triangles"], mesh["status"]
+    yield mesh
+    yield asked(folder, "subdivide", "gen:icosphere,levels=0", "--scheme", "loop", "--triangles", "100", "--creases",
+                "creases.txt")
+    away = ["--pose-b", *"1 0 0 0 1 0 0 0 1 9 0 0".split()]
+    for second in [[], ["--both"]]:
+        apart = asked(folder, "subdivide", "gen:box", "gen:box", "--within", "0.01", *away, *second)
+        assert apart["gap"]["lower"] > 0, apart
+        yield apart
 
 
 EVERY_REPORT = {
@@ -241,6 +254,7 @@ EVERY_REPORT = {
     "crowd-world": worlds,
     "minkowski": sums,
     "decompose": decompositions,
+    "subdivide": subdivisions,
 }
 
 

@@ -172,12 +172,41 @@ TEST(HullOfHalfSpaces, IsGivenUpWhereItTakesTooManyComparisons) {
     ADD_FAILURE() << "it was not given up";
   } catch (const Error& error) {
     EXPECT_TRUE(has(error.what(), "more than 5000 comparisons")) << error.what();
+    EXPECT_TRUE(has(error.what(), "of the 60 half-spaces, taken in a mixed order, have ")) << error.what();
+    // So many vertices as that many half-spaces about a ball have, or fewer where they leave it open.
+    const std::vector<std::size_t> told = numbers_in(error.what());
+    ASSERT_EQ(told.size(), 4U) << error.what();
+    EXPECT_LT(told[0], told[1]);
+    EXPECT_LE(told[2], 2 * told[0] - 4);
   }
   EXPECT_EQ(hull_of_half_spaces(many, 1'000'000).vertex_count(), 2U * 60 - 4);
   // What has no point in common is found before, and named.
   HalfSpaces empty = many;
   empty.emplace_back(Vec3{5, 0, 0}, Vec3{-1, 0, 0});
   EXPECT_TRUE(has(refusal_of(empty), "no point in common")) << refusal_of(empty);
+}
+
+/// Also where the search for those that are named would begin when the first has taken nearly all of them.
+TEST(HullOfHalfSpaces, TakesNoMoreComparisonsInAllThanAreAllowed) {
+  HalfSpaces empty = around_ball(25, 1);
+  empty.emplace_back(Vec3{5, 0, 0}, Vec3{-1, 0, 0});
+  const auto refusal = [&](std::uint64_t most) -> std::string {
+    try {
+      static_cast<void>(hull_of_half_spaces(empty, most));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  std::uint64_t too_few = 0, enough = 100'000;
+  while (enough - too_few > 1) {
+    const std::uint64_t middle = (too_few + enough) / 2;
+    (has(refusal(middle), "no point in common") ? enough : too_few) = middle;
+  }
+  EXPECT_TRUE(has(refusal(too_few), "to find those of all")) << refusal(too_few);
+  EXPECT_TRUE(has(refusal(enough), "it would take more than " + std::to_string(enough) + " comparisons to tell a few"))
+      << refusal(enough);
+  EXPECT_EQ(numbers_in(refusal(100 * enough)), numbers_in(refusal_of(empty)));
 }
 
 /// A quarter of the random ones have no common point. Those that are named have none, and with one less they have.
