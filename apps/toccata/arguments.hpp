@@ -54,8 +54,8 @@ struct CheckArguments : PosedArguments {
   bool faces = false;
   bool penetration = false;
   std::string precision_word, time_limit_word;  ///< of penetrations, as they are written
-  std::string clearance;                   ///< a length, or "all"; empty: none is asked for
-  std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
+  std::string clearance;                        ///< a length, or "all"; empty: none is asked for
+  std::vector<std::string> clearances_of;       ///< "NAME,NAME=LENGTH"
 };
 
 struct CrowdArguments : PosedArguments {

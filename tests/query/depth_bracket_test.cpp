@@ -71,9 +71,12 @@ std::vector<Deep> solids_that_meet_in_one_place() {
   const Mat3 turn = rotation_about({1, 2, 3}, 40);
   std::vector<Deep> cases;
   for (const double depth : {0.01, 0.05})
-    for (const auto& [name, a, b] : {std::tuple{"bumpy balls", bumpy, bumpy}, {"bumpy ball and ring", bumpy, ring},
-                                     {"balls", ball, ball}, {"bumpy ball and marble", bumpy, marble},
-                                     {"ring and pill", ring, pill}, {"bumpy ball and pill", bumpy, pill}})
+    for (const auto& [name, a, b] : {std::tuple{"bumpy balls", bumpy, bumpy},
+                                     {"bumpy ball and ring", bumpy, ring},
+                                     {"balls", ball, ball},
+                                     {"bumpy ball and marble", bumpy, marble},
+                                     {"ring and pill", ring, pill},
+                                     {"bumpy ball and pill", bumpy, pill}})
       cases.push_back({name, a, b, touching_but_for(a, b, depth, turn)});
   return cases;
 }
@@ -137,14 +140,15 @@ TEST(DepthBracket, OfABallThatDipsIntoABumpyMeshIsThatOfItsDip) {
 }
 
 TEST(DepthBracket, HoldsWhereItIsNotMetAndSaysSo) {
-  const Model ring(torus_mesh({.around = 24, .sides = 12}));
-  const PairQuery query{.pose_b = Pose::translation(1.9, 0.5, 0.1)};
-  const DepthBracket narrow = depth_bracket(ring, ring, query, {.precision = 1e-9});
+  const std::vector<Vec2> outline = {{-2, -1}, {2, -1}, {2, 2}, {1, 2}, {1, 0}, {-1, 0}, {-1, 2}, {-2, 2}};
+  const Model channel(extruded_mesh(outline, 4)), crate(box_mesh({1.2, 1, 1}));  // too wide for it
+  const PairQuery query{.pose_b = Pose::translation(0, 1.2, 2)};
+  const DepthBracket narrow = depth_bracket(channel, crate, query, {.precision = 1e-9});
   EXPECT_EQ(narrow.end, DepthEnd::exhausted);
-  expect_holds(ring, ring, query, narrow.penetration);
-  const DepthBracket hurried = depth_bracket(ring, ring, query, {.precision = 1e-9, .time_limit = 1e-9});
+  expect_holds(channel, crate, query, narrow.penetration);
+  const DepthBracket hurried = depth_bracket(channel, crate, query, {.precision = 1e-9, .time_limit = 1e-9});
   EXPECT_EQ(hurried.end, DepthEnd::out_of_time);
-  expect_holds(ring, ring, query, hurried.penetration);
+  expect_holds(channel, crate, query, hurried.penetration);
   EXPECT_LE(hurried.penetration.lower, narrow.penetration.upper);
   EXPECT_GE(hurried.penetration.upper, narrow.penetration.lower);
 }
@@ -171,13 +175,13 @@ TEST(DepthBracket, IsTheSameAtEverySimdLevelAndForAnyThreads) {
 TEST(DepthBracket, RefusesAPrecisionOrATimeLimitThatIsNone) {
   const Model box(box_mesh({1, 1, 1}));
   for (const double bad : {0.0, -0.1, nan, std::numeric_limits<double>::infinity()}) {
-    const std::string message = test::message_of(
-        [&] { static_cast<void>(depth_bracket(box, box, {}, {.precision = bad})); });
+    const std::string message =
+        test::message_of([&] { static_cast<void>(depth_bracket(box, box, {}, {.precision = bad})); });
     EXPECT_NE(message.find("precision"), std::string::npos) << message;
   }
   for (const double bad : {0.0, -1.0, nan}) {
-    const std::string message = test::message_of(
-        [&] { static_cast<void>(depth_bracket(box, box, {}, {.time_limit = bad})); });
+    const std::string message =
+        test::message_of([&] { static_cast<void>(depth_bracket(box, box, {}, {.time_limit = bad})); });
     EXPECT_NE(message.find("time limit"), std::string::npos) << message;
   }
 }

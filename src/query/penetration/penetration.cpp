@@ -44,8 +44,9 @@ DepthBracket depth_of(const Model& a, const Model& b, const PairQuery& query, co
 
 void require_usable(const DepthOptions& options) {
   if (!(options.precision > 0) || !std::isfinite(options.precision))
-    throw Error(fmt::format("penetration: the precision is {}; give a number above 0, 0.1 for a bracket that is 10 % wide",
-                            options.precision));
+    throw Error(
+        fmt::format("penetration: the precision is {}; give a number above 0, 0.1 for a bracket that is 10 % wide",
+                    options.precision));
   if (!(options.time_limit > 0))
     throw Error(fmt::format("penetration: the time limit is {}; give seconds above 0, or infinity for none",
                             options.time_limit));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t first_seeds = 8, more_seeds = 3;
 constexpr std::size_t most_cells = 6000;
-constexpr double finest_share = 0.04;  // half-edge of a cell, of its way from no translation
+constexpr double finest_share = 0.04;   // half-edge of a cell, of its way from no translation
 constexpr double first_stretch = 1.06;  // beyond the way out of two bodies, where other bodies are in the way
 
 /// Nearest first; of equally near ones the order does not depend on how they came about.
@@ -155,7 +155,7 @@ Penetration SeparatingSearch::answer(const Penetration& known) {
     best_.direction = known.direction;
   }
   if (!(extent_ > least_extent) || !(extent_ < greatest_extent)) return best_;
-  reach_ = 4 * best_.upper;
+  reach_ = 2 * best_.upper;  // what is farther off hardly bounds a way out; with twice that brackets were the same
   const std::vector<const InnerPart*> parts_of_b = b_.convex_parts();
   for (const InnerPart* a : a_.convex_parts())
     for (const InnerPart* b : parts_of_b) add({a, b});

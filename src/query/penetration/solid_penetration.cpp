@@ -185,7 +185,8 @@ Penetration without_overlap(const Model& a, const Model& b, const PairQuery& que
 std::size_t triangle_count(const PosedModel& model) {
   std::size_t count = 0;
   for (const PosedPart& part : model.parts)
-    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) count += triangles->mesh.model().element_count();
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
+      count += triangles->mesh.model().element_count();
   return count;
 }
 
@@ -221,7 +222,8 @@ class BodyDepth {
     const bool has_few = triangle_count(models_.a) + triangle_count(models_.b) < few_triangles;
     if (has_few || !is_local_first_ || !look_at_the_place()) search();
     bracket_.status = bracket_.upper <= 1.5 * bracket_.lower ? Status::exact : Status::not_converged;
-    if (!has_points_) add_points(bracket_, distance(a_, b_, moved(query_, bracket_.upper * bracket_.direction), workspace_));
+    if (!has_points_)
+      add_points(bracket_, distance(a_, b_, moved(query_, bracket_.upper * bracket_.direction), workspace_));
     return {bracket_, limit_.end_of(bracket_)};
   }
 

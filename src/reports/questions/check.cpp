@@ -133,8 +133,8 @@ struct CheckKind {
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
-                       "pair_clearances"});
+    value.expect_keys(
+        {"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance", "pair_clearances"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
