@@ -149,7 +149,8 @@ Penetration SeparatingSearch::answer(const Penetration& known) {
   // The hulls part after it, in exact arithmetic; for the world doubles a little more.
   for (double more = slack(best_.upper) + least_step; !parted(best_.upper * best_.direction); more *= 2)
     best_.upper += more;
-  best_.lower = of_pairs_ = known.lower;
+  of_pairs_ = known.lower;
+  best_.lower = std::min(known.lower, best_.upper);
   if (known.upper < best_.upper) {
     best_.upper = known.upper;
     best_.direction = known.direction;
