@@ -35,6 +35,7 @@ struct CheckPosesQuestion {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
+  DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
 };
 
 /// Where each object meets itself: `check --self`.
