@@ -224,6 +224,8 @@ def locations(folder):
         yield report
     for by in ["bsp", "msp"]:
         yield asked(folder, "locate", "gen:torus-knot", "--by", by)
+
+
 def subdivisions(folder):
     """The mesh of a cage, and how far its limit is from another object and another limit."""
     (folder / "creases.txt").write_text("crease 0 1\ncorner 7 1.5\n")
