@@ -107,16 +107,16 @@ run_tests() {
     run_named_tests "$@"
     return
   fi
-  configure_tests OFF
+  configure_tests
   build release
   run_ctest release
 }
 
 # Files of tests and benchmarks are compiled without optimisation, unlike what they test, and those of tests once for two
 # programs: one with the libraries as users get them, one with those under sanitizers. CGAL's second opinion is left to
-# --all. configure_tests ON|OFF: ON where single tests are asked for by name.
+# --all.
 configure_tests() {
-  configure release -DTOCCATA_TEST_EACH="$1" -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
 }
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's
@@ -134,7 +134,7 @@ run_named_tests() {
   done
   local left_out=()
   if [[ $of_rooms == no ]]; then targets=(); else left_out=(-E /sanitized-); fi
-  configure_tests ON
+  configure_tests
   build release "${targets[@]}"
   run_ctest release --no-tests=error "${left_out[@]}" -R "$(
     IFS='|'

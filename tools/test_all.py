@@ -22,7 +22,7 @@ FUZZ_SECONDS = 120
 STEPS = {
     "test": "run_tests",
     "asan": "configure asan-ubsan; build asan-ubsan; run_ctest asan-ubsan",
-    "peers": "configure release -DTOCCATA_TEST_EACH=ON -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON "
+    "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON "
     "-DTOCCATA_BENCH_ONLY_TESTED=OFF -DTOCCATA_TEST_WITH_CGAL=ON; build release; run_ctest release -R '^bench/|[Cc]gal'",
     "page": "python3 tests/viewer/check_template.py --npm",
     "clang": "configure clang; build clang; run_ctest clang",

@@ -14,9 +14,9 @@ struct MeshArguments {
   std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
   std::uint64_t seed = 1;
   bool near = false;
-  double size_b = 0;     ///< B's diagonal as a part of A's; 0: as it is
-  double gap = 0;        ///< of coherent-distance: how far the ways are moved apart, in the same unit
-  double motion = 0.01;  ///< of coherent-distance: a step, as a part of the smaller diagonal
+  double size_b = 0;          ///< B's diagonal as a part of A's; 0: as it is
+  std::optional<double> gap;  ///< how far random poses are from contact, or ways are moved apart; of the smaller
+  double motion = 0.01;       ///< of coherent-distance: a step, as a part of the smaller diagonal
   std::string task = "overlap";
   std::vector<std::string> peers;
   std::vector<int> threads{1};
@@ -43,6 +43,7 @@ struct ConvexArguments {
   std::size_t vertices = 32;  ///< of each hull
   std::string task = "distance";
   std::string regime = "near";
+  double gap = 0.01;  ///< of near, as a part of the smaller shape's reach; negative: so deep
   std::vector<std::string> peers;
   std::size_t count = 2000;
   std::uint64_t seed = 1;
@@ -103,7 +104,7 @@ struct RefitArguments {
 struct PartitionsArguments {
   std::string mesh;
   std::vector<std::string> peers;
-  std::string task = "box";  ///< or "pairs", "cells", "solid"
+  std::string task = "box";  ///< or "pairs", "cells", "solid", "points"
   std::size_t queries = 1000;
   std::uint64_t seed = 1;
   int rounds = 3;
@@ -251,7 +252,8 @@ struct WalkerArguments {
 
 struct ProximityArguments {
   std::string task = "gap";  ///< or "size"
-  int rounds = 11;           ///< of size: the least time counts
+  std::vector<std::string> peers;
+  int rounds = 11;  ///< the least time counts
   bool json = false;
 };
 
@@ -268,6 +270,7 @@ int run_refit(const RefitArguments& arguments);
 int run_partitions(const PartitionsArguments& arguments);
 int run_partition_cells(const PartitionsArguments& arguments);
 int run_partition_solid(const PartitionsArguments& arguments);
+int run_partition_points(const PartitionsArguments& arguments);
 int run_build(const BuildArguments& arguments);
 int run_nearest(const NearestArguments& arguments);
 int run_broad(const BroadArguments& arguments);

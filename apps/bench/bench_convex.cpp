@@ -127,6 +127,7 @@ int run_convex(const ConvexArguments& arguments) {
         report_of("convex", {{"pair", arguments.pair},
                              {"vertices", arguments.pair == "hull" ? Json(arguments.vertices) : Json(nullptr)},
                              {"regime", arguments.regime},
+                             {"gap", arguments.regime == "near" ? Json(arguments.gap) : Json(nullptr)},
                              {"seed", arguments.seed},
                              {"block", convex_block},
                              {"rounds", arguments.rounds},

@@ -85,7 +85,7 @@ std::size_t differences(const std::vector<double>& a, const std::vector<double>&
 int run_decomposed(const DecomposeArguments& arguments) {
   const DecomposedPair pair{decomposed(arguments.mesh, arguments.parts),
                             decomposed(arguments.mesh_b.empty() ? arguments.mesh : arguments.mesh_b, arguments.parts)};
-  const Nearness nearness = arguments.task == "distance" ? Nearness::separated : Nearness::jittered;
+  const Nearness nearness{arguments.task == "distance" ? Nearness::Kind::separated : Nearness::Kind::jittered};
   const std::vector<PosePair> poses =
       random_poses(pair.a.model(), pair.b.model(), arguments.random, arguments.seed, nearness, 1);
   Measurements measurements;

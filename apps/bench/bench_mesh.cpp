@@ -37,6 +37,12 @@ SimdLevel level_named(const std::string& name) {
 
 Clock clock_of(const MeshArguments& arguments) { return arguments.clock == "wall" ? Clock::wall : Clock::thread; }
 
+Nearness nearness_of(const MeshArguments& arguments) {
+  if (arguments.gap) return {Nearness::Kind::gap, *arguments.gap};
+  if (arguments.near) return {Nearness::Kind::close};
+  return {asks_distance(task_of(arguments.task)) ? Nearness::Kind::separated : Nearness::Kind::jittered};
+}
+
 std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
   if (!arguments.poses.empty()) {
     std::vector<PosePair> poses = read_poses(arguments.poses);
@@ -44,11 +50,9 @@ std::vector<PosePair> poses_of(const MeshArguments& arguments, const SharedMesh&
   }
   if (task_of(arguments.task) == Task::coherent_distance)
     return poses_on_the_way(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed,
-                            {arguments.motion, arguments.gap});
-  const Nearness nearness = arguments.near                              ? Nearness::close
-                            : task_of(arguments.task) == Task::distance ? Nearness::separated
-                                                                        : Nearness::jittered;
-  return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed, nearness, 0);
+                            {arguments.motion, arguments.gap.value_or(0)});
+  return random_poses(Model(a), Model(b), arguments.random.value_or(standard_queries), arguments.seed,
+                      nearness_of(arguments), 0);
 }
 
 double diagonal_of(const TriangleMesh& mesh) {
@@ -127,13 +131,19 @@ MeasuredMeshes measure_all(MeshLibraries libraries, const MeshArguments& argumen
   return measured;
 }
 
+std::string words_for_poses(const MeshArguments& arguments) {
+  if (!arguments.poses.empty()) return arguments.poses;
+  if (arguments.gap) return fmt::format("random, at a gap of {:g}", *arguments.gap);
+  return arguments.near ? "near contact" : "random";
+}
+
 nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedMesh& a, const SharedMesh& b) {
   return {{"mesh_a", arguments.mesh_a},
           {"mesh_b", arguments.mesh_b},
           {"triangles_a", a->triangle_count()},
           {"triangles_b", b->triangle_count()},
           {"size_b", arguments.size_b},
-          {"poses", arguments.poses.empty() ? (arguments.near ? "near contact" : "random") : arguments.poses},
+          {"poses", words_for_poses(arguments)},
           {"seed", arguments.seed},
           {"clock", arguments.clock},
           {"rounds", arguments.rounds}};
@@ -144,6 +154,10 @@ nlohmann::ordered_json question_of(const MeshArguments& arguments, const SharedM
 int run_mesh(const MeshArguments& arguments) {
   if (clock_of(arguments) == Clock::thread && arguments.threads != std::vector<int>{1})
     throw Error("--clock thread tells only what one thread does; leave --threads out");
+  if (arguments.gap && !arguments.poses.empty()) throw Error("--gap moves random poses; leave it or --poses out");
+  if (arguments.gap && arguments.near) throw Error("--near draws the gaps itself; leave it or --gap out");
+  if (task_of(arguments.task) == Task::coherent_distance && arguments.gap.value_or(0) < 0)
+    throw Error("--gap: ways are moved apart, so of coherent-distance it is 0 or more");
   if (!arguments.simd.empty()) use_simd_level(level_named(arguments.simd));
   MeshLibraries libraries = mesh_libraries(arguments.peers);
   const SharedMesh a = single_mesh(arguments.mesh_a), b = of_wanted_size(single_mesh(arguments.mesh_b), *a, arguments);
@@ -157,7 +171,7 @@ int run_mesh(const MeshArguments& arguments) {
   auto question = question_of(arguments, a, b);
   if (task == Task::coherent_distance) {
     question["motion"] = arguments.motion;
-    question["gap"] = arguments.gap;
+    question["gap"] = arguments.gap.value_or(0);
   }
   question["touching"] = std::count_if(answered[0].answers.begin(), answered[0].answers.end(),
                                        [](const Answer& answer) { return answer.overlap; });

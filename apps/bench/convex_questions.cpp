@@ -29,22 +29,23 @@ Distance distance_of(const ConvexPair& pair, const ConvexQuestion& question) {
       pair.a, pair.b);
 }
 
-/// Moves B along the shortest way until the gap is 1 % of the smaller shape.
-void leave_gap(const ConvexPair& pair, ConvexQuestion& question) {
+/// Moves B along the shortest way until the gap is that part of the smaller shape; negative: beyond contact.
+void leave_gap(double part, const ConvexPair& pair, ConvexQuestion& question) {
   const Distance now = distance_of(pair, question);
-  const double gap = 0.01 * std::min(reach_of(pair.a), reach_of(pair.b));
+  const double gap = part * std::min(reach_of(pair.a), reach_of(pair.b));
   if (now.upper == 0) return;
   question.b.offset = question.b.offset + ((gap - now.upper) / now.upper) * (now.on_b - now.on_a);
 }
 
-ConvexQuestion random_question(const std::string& regime, const ConvexPair& pair, Random& random) {
+ConvexQuestion random_question(const ConvexArguments& arguments, const ConvexPair& pair, Random& random) {
+  const std::string& regime = arguments.regime;
   ConvexQuestion question;
   question.a = {random_rotation(random), {}};
   question.b = {random_rotation(random), {}};
   const double reach = reach_of(pair.a) + reach_of(pair.b);
   const double away = regime == "deep" ? 0.3 * random.unit() : regime == "far" ? random.between(1.5, 5) : 1.1;
   question.b.offset = away * reach * unit_vector(random);
-  if (regime == "near") leave_gap(pair, question);
+  if (regime == "near") leave_gap(arguments.gap, pair, question);
   const Vec3 both = 5 * unit_vector(random);
   question.a.offset = question.a.offset + both;
   question.b.offset = question.b.offset + both;
@@ -105,7 +106,7 @@ ConvexWork convex_work(const ConvexArguments& arguments) {
     return work;
   }
   for (std::size_t i = 0; i < arguments.count; ++i) {
-    ConvexQuestion question = random_question(arguments.regime, work.pairs[i % pairs], random);
+    ConvexQuestion question = random_question(arguments, work.pairs[i % pairs], random);
     question.pair = i % pairs;
     work.questions.push_back(question);
   }

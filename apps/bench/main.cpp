@@ -105,9 +105,9 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   mesh->add_option("--gap", arguments.gap,
-                   "of coherent-distance: the ways are moved apart by that much, as a part of the smaller diagonal")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
+                   "random poses are that much away from contact, negative: into it; of coherent-distance the ways are "
+                   "moved apart by it; as a part of the smaller diagonal")
+      ->check(CLI::Range(-1.0, 1000.0));
   mesh->add_option("--threads", arguments.threads,
                    "use this many (docs/guide/benchmarks.md tells how); 1,2: measure both")
       ->delimiter(',')
@@ -150,8 +150,13 @@ void add_convex(CLI::App& app, ConvexArguments& arguments) {
       ->capture_default_str();
   convex
       ->add_option("--regime", arguments.regime,
-                   "far; near: a gap of 1 %; deep; coherent: near, in steps of 1 %, with a warm start")
+                   "far; near: at --gap; deep; coherent: near by, in steps of 1 %, with a warm start")
       ->check(CLI::IsMember({"far", "near", "deep", "coherent"}))
+      ->capture_default_str();
+  convex
+      ->add_option("--gap", arguments.gap,
+                   "of near: between the shapes, as a part of the smaller one's reach; negative: so deep")
+      ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   add_number(*convex, "--count", arguments.count, "questions");
   add_peers(*convex, arguments.peers, convex_peers());
@@ -232,10 +237,12 @@ void add_partitions(CLI::App& app, PartitionsArguments& arguments) {
       app.add_subcommand("partitions", "partitions of space over the boxes of a mesh's triangles: who is in a place?");
   add_mesh_file(*partitions, "--mesh", arguments.mesh)->required();
   partitions
-      ->add_option("--task", arguments.task,
-                   "the triangles whose boxes reach into a box, all pairs of boxes, the cells that boxes are in as "
-                   "they move, or of a closed mesh a BSP tree beside the mesh's own")
-      ->check(CLI::IsMember({"box", "pairs", "cells", "solid"}))
+      ->add_option(
+          "--task", arguments.task,
+          "the triangles whose boxes reach into a box, all pairs of boxes, the cells that boxes are in as "
+          "they move; of a closed mesh a BSP tree beside the mesh's own (solid), and where points lie by these and "
+          "an MSP tree (points)")
+      ->check(CLI::IsMember({"box", "pairs", "cells", "solid", "points"}))
       ->capture_default_str();
   add_number(*partitions, "--queries", arguments.queries, "how many boxes are asked about; with cells, how many ways");
   partitions->add_option("--seed", arguments.seed, "another seed, other boxes")->capture_default_str();
@@ -314,15 +321,16 @@ void add_broad(CLI::App& app, BroadArguments& arguments) {
 void add_proximity(CLI::App& app, ProximityArguments& arguments) {
   CLI::App* proximity = app.add_subcommand("proximity", "how cost grows as two meshes come near, or get larger");
   proximity
-      ->add_option(
-          "--task", arguments.task,
-          "gap: helices, boxes, shells and a mould, free by less and less, for each volume; size: every pair of "
-          "triangles against trees")
+      ->add_option("--task", arguments.task,
+                   "gap: helices, boxes, shells and a mould, free by less and less, for each volume and library; size: "
+                   "every pair "
+                   "of triangles against trees")
       ->check(CLI::IsMember({"gap", "size"}))
       ->capture_default_str();
-  add_number(*proximity, "--rounds", arguments.rounds, "of size: how often each is asked; the least time counts");
+  add_peers(*proximity, arguments.peers, mesh_peers());
+  add_number(*proximity, "--rounds", arguments.rounds, "how often each library is asked; the least time counts");
   add_json(*proximity, arguments.json);
-  proximity->footer("Example:\n  ./toccata bench proximity --task size");
+  proximity->footer("Example:\n  ./toccata bench proximity --peer fcl,cgal\n  ./toccata bench proximity --task size");
 }
 
 void add_world(CLI::App& app, WorldArguments& arguments) {
@@ -489,6 +497,7 @@ void add_motion(CLI::App& app, MotionArguments& arguments) {
 
 int run_partitions_task(const PartitionsArguments& arguments) {
   if (arguments.task == "cells") return run_partition_cells(arguments);
+  if (arguments.task == "points") return run_partition_points(arguments);
   return arguments.task == "solid" ? run_partition_solid(arguments) : run_partitions(arguments);
 }
 

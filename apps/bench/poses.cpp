@@ -105,15 +105,18 @@ class Approach {
   double apart_ = 0;
 };
 
-PosePair random_pose_pair(const PairWithExtents& pair, Random& random, Nearness nearness) {
+PosePair random_pose_pair(const PairWithExtents& pair, Random& random, const Nearness& nearness) {
+  using Kind = Nearness::Kind;
   const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal);
   for (int attempt = 0; attempt < 100; ++attempt) {
     const Approach approach(pair, random);
-    const std::optional<double> contact = approach.contact(nearness == Nearness::close ? 50 : 16);
+    const bool is_fine = nearness.kind == Kind::close || nearness.kind == Kind::gap;
+    const std::optional<double> contact = approach.contact(is_fine ? 50 : 16);
     if (!contact) continue;
-    if (nearness == Nearness::separated) return approach.at(*contact + (1e-4 + 0.02 * random.unit()) * diagonal);
+    if (nearness.kind == Kind::gap) return approach.at(*contact + nearness.gap * diagonal);
+    if (nearness.kind == Kind::separated) return approach.at(*contact + (1e-4 + 0.02 * random.unit()) * diagonal);
     const double side = random.below(2) == 0 ? -1 : 1;
-    const double share = nearness == Nearness::close ? std::pow(10, random.between(-14, -6)) : 0.02 * random.unit();
+    const double share = nearness.kind == Kind::close ? std::pow(10, random.between(-14, -6)) : 0.02 * random.unit();
     return approach.at(*contact + side * share * diagonal);
   }
   throw Error("the meshes met in none of 100 random directions, so no poses near contact can be made");
@@ -165,7 +168,7 @@ std::vector<PosePair> read_poses(const std::filesystem::path& file) {
 }
 
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                   Nearness nearness, int threads) {
+                                   const Nearness& nearness, int threads) {
   const PairWithExtents pair{a, b};
   Random seeds(seed);
   std::vector<Random> randoms;
@@ -182,7 +185,7 @@ std::vector<PosePair> poses_on_the_way(const Model& a, const Model& b, std::size
   Random random(seed);
   const double diagonal = std::min(pair.extent_a.diagonal, pair.extent_b.diagonal), length = shape.motion * diagonal;
   std::vector<PosePair> poses;
-  for (const PosePair& start : random_poses(a, b, (count + steps - 1) / steps, seed, Nearness::separated, 0)) {
+  for (const PosePair& start : random_poses(a, b, (count + steps - 1) / steps, seed, {Nearness::Kind::separated}, 0)) {
     PosePair now = start;
     const Vec3 apart = shape.gap * diagonal * way_apart(pair, start);
     Step step = random_step(random, length, pair.extent_b.diagonal);

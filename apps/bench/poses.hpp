@@ -12,10 +12,16 @@ namespace toccata::bench {
 /// The poses file of docs/reference/poses-file.md. Throws Error naming file and line.
 std::vector<PosePair> read_poses(const std::filesystem::path& file);
 
-enum class Nearness {
-  jittered,   ///< within 2 % of the smaller mesh's diagonal of contact
-  close,      ///< within 1e-6 … 1e-14 of that diagonal
-  separated,  ///< as the first, but apart
+/// Where B stands, as seen from its outermost contact with A.
+struct Nearness {
+  enum class Kind {
+    jittered,   ///< within 2 % of the smaller mesh's diagonal of contact
+    close,      ///< within 1e-6 … 1e-14 of that diagonal
+    separated,  ///< as the first, but apart
+    gap,        ///< moved by `gap` times that diagonal
+  };
+  Kind kind = Kind::jittered;
+  double gap = 0;  ///< away from A; negative: into it
 };
 
 /// Random rigid poses of both objects. B comes from outside along a random direction until it touches A (binary search
@@ -23,7 +29,7 @@ enum class Nearness {
 /// half of the pairs touch, or outwards.
 /// The same for any number of threads (0: as many as the machine has).
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
-                                   Nearness nearness, int threads);
+                                   const Nearness& nearness, int threads);
 
 /// Of ways, as parts of the smaller diagonal.
 struct WayShape {

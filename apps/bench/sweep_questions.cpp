@@ -99,6 +99,19 @@ DrawnSweep rod(Random& random) {
   return {{turning, peg}, {0, {start, turned_about_offset(start, {0, 0, 1}, degrees, {})}, {standing, standing}}};
 }
 
+/// Flies over a box along x and spins about y, which for the capsule is its own axis: above it by 1e-9 to 0.03, or in
+/// a third of the cases too low by as much, so that it meets an edge.
+DrawnSweep spinning(Random& random) {
+  const double radius = random.between(0.05, 0.5);
+  const double gap = std::pow(10, random.between(-9, -1.5)) * (random.between(0, 1) < 1.0 / 3 ? -1 : 1);
+  const Box box({0.5, 0.5, 0.25});
+  SweepBody round = Sphere(radius);
+  if (random.between(0, 1) < 0.5) round = Capsule({0, 0, -0.2}, {0, 0, 0.2}, radius);
+  const Pose start{rotation_about({1, 0, 0}, 90), {-1.5, random.between(-0.2, 0.2), 0.25 + radius + gap}};
+  const double degrees = random.between(-170, 170);
+  return {{std::move(round), box}, {0, {start, turned_about_offset(start, {0, 1, 0}, degrees, {3, 0, 0})}, {}}};
+}
+
 Model model_of(const SweepBody& body) {
   return std::visit([](const auto& shape) { return Model(shape); }, body);
 }
@@ -162,6 +175,7 @@ std::vector<SweepWork> sweeps_of_bodies(const MotionArguments& arguments) {
   sets.push_back(drawn_set("thin boxes", count, random, thin_boxes));
   sets.push_back(drawn_set("thin walls", count, random, thin_wall));
   sets.push_back(drawn_set("rods", count, random, rod));
+  sets.push_back(drawn_set("spinning round", count, random, spinning));
   return sets;
 }
 

@@ -12,7 +12,7 @@
 namespace toccata::bench {
 
 /// A mesh is taken as a surface where it is open.
-using SweepBody = std::variant<Box, ConvexHull, std::shared_ptr<const TriangleMesh>>;
+using SweepBody = std::variant<Sphere, Capsule, Box, ConvexHull, std::shared_ptr<const TriangleMesh>>;
 
 /// The origin of a body's own frame goes straight on at an even speed and the body turns about it at another, by less
 /// than half a turn: so two poses tell the motion, and every library has the same.

@@ -53,8 +53,9 @@ struct CheckArguments : PosedArguments {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
-  std::string clearance;                   ///< a length, or "all"; empty: none is asked for
-  std::vector<std::string> clearances_of;  ///< "NAME,NAME=LENGTH"
+  std::string precision_word, time_limit_word;  ///< of penetrations, as they are written
+  std::string clearance;                        ///< a length, or "all"; empty: none is asked for
+  std::vector<std::string> clearances_of;       ///< "NAME,NAME=LENGTH"
 };
 
 struct CrowdArguments : PosedArguments {

@@ -61,13 +61,15 @@ std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse&
   if (!content) return std::nullopt;
   const std::string asked = name_of(*content->question), file = arguments.input.files[0];
   const bool is_own = use.takes_any || is_question_of(asked, use.asks);
-  if (!use.asks_itself && is_own) return answer(*content, arguments, also);
+  const bool asks_itself = use.asks_itself || !use.asking.empty();
+  if (!asks_itself && is_own) return answer(*content, arguments, also);
   const std::string advice =
       fmt::format("`{} {} {}` answers it", called_as(), is_own ? command_of(use) : "check", file);
-  if (!use.asks_itself && use.needs_options)
+  if (!asks_itself && use.needs_options)
     throw Error(
         fmt::format("{} holds a question, {}: {}; to ask another about its scene, say which", file, asked, advice));
-  print_warnings({fmt::format("{} holds a question, {}, which is not asked here: {}", file, asked, advice)});
+  const std::string why = use.asking.empty() ? "" : fmt::format(", as {} asks another", fmt::join(use.asking, " "));
+  print_warnings({fmt::format("{} holds a question, {}, which is not asked here{}: {}", file, asked, why, advice)});
   return std::nullopt;
 }
 

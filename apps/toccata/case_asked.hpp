@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "ask.hpp"
@@ -16,6 +17,8 @@ struct CaseUse {
   bool takes_any = false;      ///< the subcommand answers every question that a case may hold
   bool needs_options = false;  ///< without options it asks nothing
   std::string command{};       ///< by which it is asked, where that is not what it is called
+  /// The options that do ask something of the scene, where the subcommand tells them.
+  std::vector<std::string> asking{};
 };
 
 /// Where the arguments name one case, and it is for the subcommand to answer: asks its question, prints the answer, and

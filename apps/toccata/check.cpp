@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <memory>
+#include <system_error>
 
 #include "arguments.hpp"
 #include "ask.hpp"
@@ -26,7 +28,7 @@ int run_check_poses(const CheckArguments& arguments) {
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
-                                    arguments.penetration};
+                                    arguments.penetration, depth_options(arguments, input.loaded.warnings)};
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
@@ -54,11 +56,28 @@ int run_check(const CheckArguments& arguments) {
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
-  const CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
+  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
+  question.depth = depth_options(arguments, loaded.warnings);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
 }  // namespace
+
+DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::string>& warnings) {
+  DepthOptions depth = CheckOptions{}.depth;
+  const auto take = [&](const std::string& word, const char* name, double& number, const std::string& instead) {
+    double given = 0;
+    const char* const end = word.data() + word.size();
+    const auto [rest, error] = std::from_chars(word.data(), end, given);
+    if (error == std::errc{} && rest == end && given > 0)
+      number = given;
+    else if (!word.empty())
+      warnings.push_back(fmt::format("{} {} is not a number above 0: answered {}", name, printable(word), instead));
+  };
+  take(arguments.precision_word, "--precision", depth.precision, fmt::format("with {}", depth.precision));
+  take(arguments.time_limit_word, "--time-limit", depth.time_limit, "without a limit");
+  return depth;
+}
 
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances) {
   return {arguments.touching, faces, arguments.penetration, clearances.common, clearances.of_pairs};
@@ -138,6 +157,14 @@ Subcommand add_check(CLI::App& app) {
   CLI::Option* penetration = check->add_flag("--penetration", arguments->penetration,
                                              "how deep solids overlap, a way to part them, their regions of contact "
                                              "and (without --poses) their points of contact");
+  check
+      ->add_option("--precision", arguments->precision_word,
+                   "how wide the bracket of a depth may be: upper at most 1 + so many times lower (0.1)")
+      ->needs(penetration);
+  check
+      ->add_option("--time-limit", arguments->time_limit_word,
+                   "seconds for the depth of each pair: then the bracket so far is told (none)")
+      ->needs(penetration);
   const auto [clearance, clearance_of] = add_clearances(*check, *arguments);
   clearance->excludes(poses);
   clearance_of->excludes(poses);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <map>
 
 #include "load.hpp"
@@ -148,6 +150,19 @@ void take_words(PosedArguments& arguments) {
   if (!arguments.pose_a_words.empty()) arguments.pose_a = parse_pose(arguments.pose_a_words, "--pose-a");
   if (!arguments.pose_b_words.empty()) arguments.pose_b = parse_pose(arguments.pose_b_words, "--pose-b");
   if (!arguments.solid_word.empty()) arguments.solid = solids.at(arguments.solid_word);
+}
+
+std::vector<std::string> asking_options(const CLI::App& app) {
+  constexpr std::array writing{"--json", "--csv",  "--threads", "--html",   "--png",
+                               "--size", "--look", "--glb",     "--output", "--save-case"};
+  const auto is_about_writing = [&](const CLI::Option& option) {
+    return std::any_of(writing.begin(), writing.end(), [&](const char* name) { return option.check_name(name); });
+  };
+  std::vector<std::string> given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0 && !option->get_lnames().empty() && !is_about_writing(*option))
+      given.push_back(option->get_name());
+  return given;
 }
 
 std::string with_name(const char* text) { return fmt::format(fmt::runtime(text), called_as()); }

@@ -72,6 +72,10 @@ void add_picture(CLI::App& app, PosedArguments& arguments);
 /// Poses and solids of what was written. Throws Error naming the option.
 void take_words(PosedArguments& arguments);
 
+/// The options that were given, but for those that say how an answer is written: what a case that is asked again would
+/// not heed.
+std::vector<std::string> asking_options(const CLI::App& app);
+
 /// {0} in the text becomes what the command was called as.
 std::string with_name(const char* text);
 

@@ -26,13 +26,25 @@ struct SubdivideArguments : PosedArguments {
   SubdivideQuestion question;
 };
 
-bool asks_something(const SubdivideArguments& arguments) {
-  return changes_objects(arguments) || arguments.question != SubdivideQuestion{} || !arguments.scheme.empty() ||
-         !arguments.within.empty() || !arguments.creases.empty() || arguments.sharp_corners;
+/// What would be of no use is refused.
+void require_use(const SubdivideArguments& arguments, std::size_t objects) {
+  if (arguments.question.both && objects != 2) throw Error("--both is about two cages: name two files");
+  if (arguments.solid && objects == 1)
+    throw Error(
+        "--solid tells what is taken for a solid where two objects are asked how far apart they are: name another "
+        "file, or leave it out");
+  if (objects == 1) return;
+  if (!arguments.mesh.empty())
+    throw Error("-o writes the mesh of one cage, and two objects are asked how far apart they are: name one file");
+  if (arguments.question.levels > 0)
+    throw Error(
+        "--levels is about the mesh of one cage, and two objects are asked how far apart they are: name one file, or "
+        "leave it out; --within tells how near");
 }
 
 /// What the options ask of what was read.
 SubdivideQuestion question_of(const SubdivideArguments& arguments, const Scene& scene) {
+  require_use(arguments, scene.objects.size());
   SubdivideQuestion question = arguments.question;
   if (arguments.scheme == "loop") question.scheme = SubdivisionScheme::loop;
   if (!arguments.creases.empty()) question.features = read_creases(arguments.creases);
@@ -41,9 +53,6 @@ SubdivideQuestion question_of(const SubdivideArguments& arguments, const Scene& 
     question.within = read_length("--within", arguments.within, scene, Longest::finite);
     if (question.within == 0) throw Error("--within 0: no mesh is nearer to a curved surface than that; write more");
   }
-  if (question.both && scene.objects.size() != 2) throw Error("--both is about two cages: name two files");
-  if (!arguments.mesh.empty() && scene.objects.size() != 1)
-    throw Error("-o writes the mesh of one cage, and two objects are asked how far apart they are: name one file");
   return question;
 }
 
@@ -63,7 +72,7 @@ std::string gap_text(const SubdivideReport& report) {
                      gap.upper, point_text(gap.on_mesh), gap.distance_to_limit, point_text(gap.on_model));
 }
 
-int run_subdivide(const SubdivideArguments& arguments) {
+int run_subdivide(const SubdivideArguments& arguments, const std::vector<std::string>& asking) {
   require_mesh_output(arguments, arguments.mesh);
   const AlsoWritten mesh = [&](const CheckInput& input, const SceneAnswer& answer) {
     const auto* report = std::get_if<SubdivideReport>(&answer);
@@ -73,7 +82,7 @@ int run_subdivide(const SubdivideArguments& arguments) {
     return fmt::format("{}: {}.\n", printable(arguments.mesh),
                        counted(report->mesh->mesh.triangle_count(), "triangle"));
   };
-  if (const auto code = answered_case(arguments, {"subdivide", asks_something(arguments)}, mesh)) return *code;
+  if (const auto code = answered_case(arguments, {.asks = "subdivide", .asking = asking}, mesh)) return *code;
   const CheckInput input = read_check_input(arguments);
   const SubdivideQuestion question = question_of(arguments, input.loaded.scene);
   return exit_code_of(answer_to(question, input, arguments, "refining", mesh));
@@ -87,8 +96,10 @@ std::string table_of(const CheckInput&, const SubdivideReport& report) {
   text += report.mesh ? ": " + limit_text(*report.mesh) : ", and the other object: " + gap_text(report);
   const Status status = report.mesh ? report.mesh->status : report.gap->status;
   if (status == Status::not_converged)
-    text += fmt::format(".\n{:.3g} was asked for, and not reached: {}", report.within,
-                        report.mesh ? "raise --triangles or --within" : "rounding, or --triangles, ended it");
+    text += fmt::format(
+        ".\n{:.3g} was asked for, and not reached: {}", report.within,
+        report.mesh ? "raise --triangles or --within"
+                    : "rounding, or --triangles, ended it: where surfaces coincide or are parallel, more seldom help");
   return text + ".\n";
 }
 
@@ -108,9 +119,11 @@ Subcommand add_subdivide(CLI::App& app) {
   add_length(*subdivide, "--within", arguments->within,
              "how far mesh and limit may be apart, or how wide the interval of a distance: a length in units of the "
              "scene or with its own (0.5, 2mm, 0.1in)");
-  subdivide->add_option("--levels", arguments->question.levels, "refine every face at least so often")
+  subdivide->add_option("--levels", arguments->question.levels, "refine every face of one cage at least so often")
       ->check(CLI::Range(0, 30));
-  subdivide->add_option("--triangles", arguments->question.max_triangles, "at most so many")
+  subdivide
+      ->add_option("--triangles", arguments->question.max_triangles,
+                   "at most so many; of two objects so many faces are looked at")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
       ->capture_default_str();
   add_file(*subdivide, "--creases", arguments->creases,
@@ -138,9 +151,9 @@ Subcommand add_subdivide(CLI::App& app) {
       "  {0} subdivide cage.obj --within 0.1mm --unit mm -o surface.obj\n"
       "  {0} subdivide cage.obj part.stl --within 1e-6\n"
       "  {0} subdivide cage.obj --crease-angle 60 -o surface.glb"));
-  return {subdivide, [arguments] {
+  return {subdivide, [arguments, subdivide] {
             take_words(*arguments);
-            return run_subdivide(*arguments);
+            return run_subdivide(*arguments, asking_options(*subdivide));
           }};
 }
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <limits>
+#include <algorithm>
 #include <memory>
 
 #include "arguments.hpp"
@@ -34,7 +34,8 @@ struct WalkArguments : PosedArguments {
   std::string motion;  ///< a file; empty: to a place
   WalkLength radius{"--radius", 0.4, "of the capsule that walks (default: 0.4 m)"};
   WalkLength height{"--height", 1.8, "of it, in all (default: 1.8 m)"};
-  WalkLength stride{"--stride", 0.1, "how far it wants to go in a step (default: 0.1 m, 3 m a second at 30 steps)"};
+  WalkLength stride{"--stride", 0.1,
+                    "how far it wants to go in a step, --to a point (default: 0.1 m, 3 m a second at 30 steps)"};
   WalkLength fall{"--fall", 0.01, "how much farther it falls in each step in the air than before (default: 0.01 m)"};
   WalkLength skin{"--skin", 0.01, "how far it stays from everything (default: 0.01 m)"};
   WalkLength step_height{"--step-height", 0.3, "the highest step that it walks up (default: 0.3 m)"};
@@ -93,13 +94,9 @@ WalkQuestion walk_asked(const WalkArguments& arguments, const Scene& scene) {
   return question;
 }
 
-bool asks_of_walk(const WalkArguments& arguments) {
-  return !arguments.from_words.empty() || !arguments.to_words.empty() || !arguments.motion.empty() ||
-         changes_objects(arguments);
-}
-
-int run_walk(const WalkArguments& arguments) {
-  if (const auto code = answered_case(arguments, {"walk", asks_of_walk(arguments), false, true})) return *code;
+int run_walk(const WalkArguments& arguments, const std::vector<std::string>& asking) {
+  if (const auto code = answered_case(arguments, {.asks = "walk", .needs_options = true, .asking = asking}))
+    return *code;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
   return exit_code_of(answer_to(walk_asked(arguments, input.loaded.scene), input, arguments, "walking"));
@@ -153,14 +150,16 @@ std::string end_text(const WalkReport& report) {
 
 /// What went wrong on the way, where something did.
 std::string trouble_text(const WalkReport& report) {
-  std::size_t tight = 0, stuck = 0;
-  for (const WalkedStep& walked : report.steps) {
-    tight += walked.step.tight ? 1U : 0U;
-    stuck += walked.step.stuck ? 1U : 0U;
-  }
   std::string text;
-  if (tight > 0) text += fmt::format("In {} it is nearer to something than its skin.\n", counted(tight, "step"));
-  if (stuck > 0) text += fmt::format("In {} it overlaps something and finds no way out.\n", counted(stuck, "step"));
+  const auto tell = [&](bool MoverStep<Index>::*fact, const char* what) {
+    const auto has_it = [&](const WalkedStep& walked) { return walked.step.*fact; };
+    const auto count = std::count_if(report.steps.begin(), report.steps.end(), has_it);
+    if (count > 0) text += fmt::format("In {} {}.\n", counted(static_cast<std::size_t>(count), "step"), what);
+  };
+  tell(&MoverStep<Index>::tight, "it is nearer to something than its skin");
+  tell(&MoverStep<Index>::stuck, "it overlaps something and finds no way out");
+  tell(&MoverStep<Index>::crushed, "something that moves its way cannot push it aside");
+  tell(&MoverStep<Index>::cut_short, "it may not have gone as far as it can");
   return text;
 }
 
@@ -191,9 +190,10 @@ Subcommand add_walk(CLI::App& app) {
   add_input(*walk, arguments->input, any_files);
   add_point(*walk, "--from", arguments->from_words, "the point that it stands on at first");
   CLI::Option* to = add_point(*walk, "--to", arguments->to_words, "where it heads for, straight on");
-  add_file(*walk, "--motion", arguments->motion,
-           "instead what it wants to go in each step, falling included: a file with three numbers a line")
-      ->excludes(to);
+  CLI::Option* motion =
+      add_file(*walk, "--motion", arguments->motion,
+               "instead what it wants to go in each step, falling included: a file with three numbers a line")
+          ->excludes(to);
   for (WalkLength* length : {&arguments->radius, &arguments->height, &arguments->stride, &arguments->fall,
                              &arguments->skin, &arguments->step_height, &arguments->snap})
     add_length(*walk, length->option, length->text, length->help);
@@ -202,6 +202,7 @@ Subcommand add_walk(CLI::App& app) {
   walk->add_option("--most-steps", arguments->most_steps, "so many steps at most, on the way --to a point")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
       ->capture_default_str();
+  for (const char* of_a_place : {"--stride", "--most-steps"}) motion->excludes(walk->get_option(of_a_place));
   add_up(*walk, *arguments);
   add_solid(*walk, *arguments);
   add_writing(*walk, *arguments, "docs/reference/walk-report.md");
@@ -212,9 +213,9 @@ Subcommand add_walk(CLI::App& app) {
       "  {0} walk level.glb --from 0 0 0 --to 12 0 3 --html walk.html\n"
       "  {0} walk floor.obj walls.obj --from 0 0 0 --motion steps.txt --json > walk.json\n"
       "  {0} view walk.json -o walk.html"));
-  return {walk, [arguments] {
+  return {walk, [arguments, walk] {
             take_words(*arguments);
-            return run_walk(*arguments);
+            return run_walk(*arguments, asking_options(*walk));
           }};
 }
 

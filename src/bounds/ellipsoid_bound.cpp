@@ -1,5 +1,6 @@
 #include "toccata/bounds/all_volumes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <vector>
@@ -150,7 +151,7 @@ Ball stretched_ball(const Mat3& axes, const Vec3& half, const Image& image) {
 }
 
 /// An ellipsoid around bodies that are given relative to a point, and all within `slack` of them. No half axis is
-/// shorter than 2⁻²⁰ of the longest or than 2²⁰ slack, so skew axes, rounding and the slack are less than `growth`.
+/// shorter than 2⁻²⁰ of the longest or than 2²⁰ slack, so that skew axes and rounding are less than `growth`.
 EllipsoidBound around(const Vec3& near, std::span<const Image> images, double slack) {
   double size = slack;
   for (const Image& image : images) size = std::max(size, size_of(image));
@@ -165,6 +166,8 @@ EllipsoidBound around(const Vec3& near, std::span<const Image> images, double sl
   const Vec3 half = with_least({root(moments.values.x), root(moments.values.y), root(moments.values.z)}, slack / unit);
   Ball ball;
   for (const Image& image : small) ball = merge(ball, stretched_ball(moments.axes, half, image));
+  // Where the half axes are as long as the slack asks for, the ball is small, and the slack no small part of it.
+  ball.radius += slack / unit / std::min({half.x, half.y, half.z});
   const Vec3& s = ball.centre;
   const Vec3 centre = point_in_frame(moments.axes, {}, {s.x * half.x, s.y * half.y, s.z * half.z});
   const EllipsoidBound result{near + unit * centre, moments.axes, (unit * ball.radius * growth) * half};

@@ -56,6 +56,14 @@ void require_times(std::span<const MotionKey> keys) {
                               keys[i].time, keys[i - 1].time));
 }
 
+/// How far a point under a pose is from another at most. The place passes four roundings of what it is made of, the
+/// length of the difference five; twice as much is allowed.
+double most_beside(const Pose& pose, const Vec3& point, const Vec3& other) {
+  double sizes = sum_of_magnitudes(pose.offset) + sum_of_magnitudes(other);
+  for (int i = 0; i < 3; ++i) sizes += dot(magnitudes(pose.linear[i]), magnitudes(point));
+  return length(pose * point - other) + 0x1p-49 * sizes;
+}
+
 }  // namespace
 
 RigidMotion::RigidMotion(const Pose& pose) : RigidMotion(pose, RigidMove{}) {}
@@ -110,9 +118,7 @@ RigidMotion RigidMotion::carrying(const Pose& fixed) const {
   if (!pieces_.empty()) return motion;
   motion.pose_at_ = [pose_at = pose_at_, fixed](double time) { return pose_at(time) * fixed; };
   motion.speed_.centre = inverse(fixed) * speed_.centre;
-  // The centre is rounded, and so may be beside the point that is known: by less than 2⁻⁴⁰ of what it is made of.
-  motion.speed_.speed +=
-      0x1p-40 * radians_in_a_turn * speed_.turns * (sum_of_magnitudes(speed_.centre) + sum_of_magnitudes(fixed.offset));
+  motion.speed_.speed += radians_in_a_turn * speed_.turns * most_beside(fixed, motion.speed_.centre, speed_.centre);
   return motion;
 }
 

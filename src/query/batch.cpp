@@ -125,6 +125,13 @@ std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>
   });
 }
 
+std::vector<DepthBracket> depth_bracket_each(const Batch<PairQuery>& batch, const DepthOptions& depth,
+                                             const BatchOptions& options) {
+  return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+    return depth_bracket(a, b, query, depth, workspace);
+  });
+}
+
 std::vector<Penetration> penetration_each(const Batch<PairQuery>& batch, const BatchOptions& options) {
   return ask_pairs(batch, options, [](auto&... question) { return penetration(question...); });
 }

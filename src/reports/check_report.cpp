@@ -72,6 +72,7 @@ CheckReport make_check_report(std::span<const SceneInstance> models, const Check
     reported.relation = pair.relation;
     if (options.faces) reported.face_pairs = io::reported_face_pairs(models[pair.a], models[pair.b], pair.contacts);
     reported.penetration = pair.penetration;
+    reported.depth_end = pair.depth_end;
     reported.manifold = pair.manifold;
     reported.manifolds = pair.manifolds;
     reported.regions = pair.regions;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -57,6 +58,24 @@ Json json_of(const Penetration& penetration) {
           {"on_a", json_of(penetration.on_a)},
           {"on_b", json_of(penetration.on_b)},
           {"status", name_of(penetration.status)}};
+}
+
+Json json_of(const Penetration& penetration, DepthEnd end) {
+  Json json = json_of(penetration);
+  if (end != DepthEnd::precise) json["ended"] = name_of(end);
+  return json;
+}
+
+void add_depth_options(Json& json, const DepthOptions& depth) {
+  json["precision"] = depth.precision;
+  if (depth.time_limit < std::numeric_limits<double>::infinity()) json["time_limit"] = depth.time_limit;
+}
+
+DepthOptions depth_options_of(const JsonValue& question) {
+  DepthOptions depth;
+  if (question.has("precision")) depth.precision = question.at("precision").number();
+  if (question.has("time_limit")) depth.time_limit = question.at("time_limit").number();
+  return depth;
 }
 
 Json json_of(const Manifold& manifold) {

@@ -26,6 +26,13 @@ namespace toccata::io {
 [[nodiscard]] Json json_of(const ReportedFacePair& pair);
 
 [[nodiscard]] Json json_of(const Penetration& penetration);
+/// With why it is no narrower, where it is wider than asked.
+[[nodiscard]] Json json_of(const Penetration& penetration, DepthEnd end);
+
+/// How narrow a depth was asked for.
+void add_depth_options(Json& json, const DepthOptions& depth);
+/// Of a question that says nothing of it as it was before one could: 2 %.
+[[nodiscard]] DepthOptions depth_options_of(const JsonValue& question);
 [[nodiscard]] Json json_of(const Manifold& manifold);
 [[nodiscard]] Json json_of(const std::vector<ContactManifold>& manifolds);
 [[nodiscard]] Json json_of(const ContactRegion& region);

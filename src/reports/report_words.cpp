@@ -44,6 +44,18 @@ std::string name_of(IntersectionKind kind) {
   return {};
 }
 
+std::string name_of(DepthEnd end) {
+  switch (end) {
+    case DepthEnd::precise:
+      return "precise";
+    case DepthEnd::exhausted:
+      return "exhausted";
+    case DepthEnd::out_of_time:
+      return "out of time";
+  }
+  return {};
+}
+
 std::string name_of(Status status) {
   switch (status) {
     case Status::exact:

@@ -84,6 +84,18 @@ bool is_null_vector(const WholeVector4& v) {
   return std::all_of(v.begin(), v.end(), [](const Integer& number) { return number == 0; });
 }
 
+/// Comparisons of rays with planes and with each other: how many a question may take in all, and how far it is.
+struct Comparisons {
+  std::uint64_t most;
+  std::size_t given;  ///< half-spaces, those that are equal counted once
+  std::uint64_t taken = 0;
+  std::size_t cut = 0;  ///< so many of them, since the last beginning
+};
+
+struct TooManyComparisons : Error {
+  using Error::Error;
+};
+
 /// What half-spaces have in common, as the extreme rays of a cone in four dimensions: the double description method (T.
 /// S. Motzkin, H. Raiffa, G. L. Thompson, R. M. Thrall, 1953; K. Fukuda, A. Prodon, "Double description method
 /// revisited", 1996). Every vertex is a ray with w > 0; one with w = 0 is a direction without end.
@@ -95,10 +107,8 @@ class HalfSpaceCone {
     std::vector<Index> planes;  ///< those it lies in, in their order
   };
 
-  /// Of three half-spaces with independent normals. Cutting is given up beyond so many comparisons of rays with planes
-  /// and with each other.
-  HalfSpaceCone(const std::array<WholeVector4, 3>& first, std::uint64_t most_comparisons)
-      : most_comparisons_(most_comparisons) {
+  /// Of three half-spaces with independent normals.
+  HalfSpaceCone(const std::array<WholeVector4, 3>& first, Comparisons& comparisons) : comparisons_(comparisons) {
     const std::array<WholeVector4, 4> planes{behind_infinity, first[0], first[1], first[2]};
     for (std::size_t i = 0; i < 4; ++i) {
       Ray ray{in_lowest_terms(across_three(planes[(i + 1) % 4], planes[(i + 2) % 4], planes[(i + 3) % 4])), {}, {}};
@@ -123,7 +133,7 @@ class HalfSpaceCone {
     return std::all_of(rays_.begin(), rays_.end(), is_in);
   }
 
-  /// Throws Error when all that was cut has taken too many comparisons.
+  /// Throws TooManyComparisons.
   void cut(const WholeVector4& plane) {
     const Index number = plane_count_++;
     const Direction4 rounded = rounded_direction(plane);
@@ -193,19 +203,19 @@ class HalfSpaceCone {
   }
 
   void count_comparisons(std::size_t more) {
-    comparisons_ += more;
-    if (comparisons_ > most_comparisons_)
-      throw Error(fmt::format(
-          "the first {} of the half-spaces have {} vertices in common, and with all of them it would take "
-          "more than {} comparisons to find those of all; leave out some that cut little off, or allow more",
-          plane_count_ - 1, rays_.size(), most_comparisons_));
+    comparisons_.taken += more;
+    if (comparisons_.taken <= comparisons_.most) return;
+    const auto vertices = std::count_if(rays_.begin(), rays_.end(), [](const Ray& ray) { return ray.at[3] > 0; });
+    throw TooManyComparisons(fmt::format(
+        "{} of the {} half-spaces, taken in a mixed order, have {} vertices in common, and it would take more than {} "
+        "comparisons to find those of all; leave out some that cut little off, or allow more",
+        comparisons_.cut, comparisons_.given, vertices, comparisons_.most));
   }
 
   Index plane_count_ = 4;
   std::vector<Ray> rays_;
   std::vector<Index> shared_;  ///< planes of the two rays that are compared
-  std::uint64_t most_comparisons_;
-  std::uint64_t comparisons_ = 0;
+  Comparisons& comparisons_;
 };
 
 /// Three half-spaces with independent normals. Where the given ones have none, all that they hold in common goes on
@@ -247,9 +257,11 @@ struct CommonSet {
   std::vector<WholeVector4> free;
 };
 
-CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index> order, std::uint64_t most) {
+/// Throws TooManyComparisons.
+CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index> order, Comparisons& comparisons) {
   FirstThree first = first_three(planes, order);
-  CommonSet common{HalfSpaceCone(first.planes, most), first.numbers, first.free};
+  comparisons.cut = first.numbers.size();
+  CommonSet common{HalfSpaceCone(first.planes, comparisons), first.numbers, first.free};
   common.numbers.resize(3, no_index);
   for (WholeVector4 opposite : first.free) {
     for (Integer& number : opposite) number = -number;
@@ -261,30 +273,46 @@ CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index
     if (std::find(first.numbers.begin(), first.numbers.end(), i) != first.numbers.end()) continue;
     common.cone.cut(planes[i]);
     common.numbers.push_back(i);
+    ++comparisons.cut;
   }
   std::erase(common.numbers, no_index);
   return common;
 }
 
 /// Of half-spaces without a common point at most four that have none, of which none can be left out (E. Helly, 1923).
-/// The last that is cut belongs to every such choice among those before it. It goes first in the next round, whose last
-/// is another, until those in front are all that there are.
+/// They are given as they were cut until nothing was left. The last that is cut belongs to every such choice among
+/// those before it. It goes first in the next round, whose last is another, until those in front are all that there
+/// are.
 std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std::vector<Index> among,
-                                       std::uint64_t most) {
+                                       Comparisons& comparisons) {
   for (int round = 0; round < 6; ++round) {
-    among = common_set(planes, among, most).numbers;
+    if (round > 0) among = common_set(planes, among, comparisons).numbers;
     std::rotate(among.begin(), among.end() - 1, among.end());
   }
   for (std::size_t i = 0; i < among.size() && among.size() > 1;) {
     std::vector<Index> fewer = among;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (common_set(planes, fewer, most).cone.has_a_point())
+    if (common_set(planes, fewer, comparisons).cone.has_a_point())
       ++i;
     else
       among = std::move(fewer);
   }
   std::sort(among.begin(), among.end());
   return among;
+}
+
+[[noreturn]] void refuse_empty(std::span<const WholeVector4> planes, const std::vector<Index>& among,
+                               Comparisons& comparisons) {
+  std::vector<Index> least;
+  try {
+    least = least_without_point(planes, among, comparisons);
+  } catch (const TooManyComparisons&) {
+    throw Error(
+        fmt::format("the half-spaces have no point in common, and it would take more than {} comparisons to tell a few "
+                    "of them that have none; move or turn one of them, or allow more",
+                    comparisons.most));
+  }
+  throw Error(fmt::format("half-spaces {} have no point in common; move or turn one of them", fmt::join(least, ", ")));
 }
 
 Vec3 direction_in_doubles(const WholeVector4& direction) {
@@ -352,10 +380,9 @@ ConvexHull hull_of_half_spaces(std::span<const HalfSpace> half_spaces, std::uint
   std::vector<WholeVector4> planes;
   for (const HalfSpace& half_space : half_spaces) planes.push_back(homogeneous_plane(half_space));
   const std::vector<Index> order = mixed_order(planes);
-  const CommonSet common = common_set(planes, order, most_comparisons);
-  if (!common.cone.has_a_point())
-    throw Error(fmt::format("half-spaces {} have no point in common; move or turn one of them",
-                            fmt::join(least_without_point(planes, order, most_comparisons), ", ")));
+  Comparisons comparisons{most_comparisons, order.size()};
+  const CommonSet common = common_set(planes, order, comparisons);
+  if (!common.cone.has_a_point()) refuse_empty(planes, common.numbers, comparisons);
   if (!common.free.empty()) refuse_unbounded(common.free.front());
   for (const HalfSpaceCone::Ray& ray : common.cone.rays())
     if (ray.at[3] == 0) refuse_unbounded(ray.at);

@@ -194,7 +194,8 @@ PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contac
   if (options_.manifold) details.manifold = manifold_where_defined(a.model, b.model, query, workspace);
   if (options_.penetration) {
     const Relation lie = details.relation ? *details.relation : relation(a.model, b.model, query, workspace);
-    details.penetration = penetration_where_defined(a.model, b.model, query, lie, workspace);
+    if (const auto depth = depth_where_defined(a.model, b.model, query, lie, {}, workspace))
+      details.penetration = depth->penetration;
   }
   return details;
 }

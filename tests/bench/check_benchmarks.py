@@ -314,6 +314,15 @@ def check_cells():
     assert all(1 <= row["walked"] <= row["in_box"] for row in made["walks"]), made["walks"]
 
 
+def check_points():
+    """Three trees tell the same of where points lie, and a vertex is on the surface."""
+    made = report("partitions", "--mesh", "gen:torus?around=12&sides=6", "--task", "points", "--queries", "50", "--rounds", "1")
+    assert [tree["tree"] for tree in made["trees"]] == ["mesh's own", "BSP", "MSP"], made["trees"]
+    assert all(tree["growth"] >= 1 and tree["depth"] >= 1 and tree["bytes"] > 0 for tree in made["trees"]), made["trees"]
+    assert all(row["wrong"] == 0 for row in made["results"]), made["results"]
+    assert [row["on_surface"] for row in made["results"] if row["points"] == "vertices"] == [50], made["results"]
+
+
 def check_sums(peers):
     """Every way makes sums of as many vertices, and tells the same of every point."""
     named = ["--peer", "cgal"] if "cgal" in peers else []
@@ -338,7 +347,8 @@ def check_motion():
 
 def check_sweeps():
     made = report("motion", "--task", "bodies", "--count", "20", "--rounds", "1")
-    assert [row["set"] for row in made["results"]] == ["translations", "rotations", "thin boxes", "thin walls", "rods"]
+    assert [row["set"] for row in made["results"]] == [
+        "translations", "rotations", "thin boxes", "thin walls", "rods", "spinning round"]
     for row in made["results"]:
         assert row["library"] == "toccata" and row["queries"] == 20 and 0 < row["hits"] <= 20, row
         assert row["missed"] == row["false_alarms"] == row["late"] == row["early"] == row["wrong"] == 0, row
@@ -383,6 +393,22 @@ def check_walker():
             assert row["instruction_ratio"] <= 1.1, row
 
 
+def check_map(folder):
+    """A map has every cell, Toccata's answers are right, what is kept is not measured again, and the picture has it all."""
+    script = pathlib.Path(__file__).resolve().parents[2] / "apps/bench/measure_map.py"
+    call = [sys.executable, script, BENCH, "--folder", folder, "--map", "casts", "--peers", "", "--count", "10"]
+    first = subprocess.run([*call, "--minutes", "0"], capture_output=True, text=True)
+    assert first.returncode == 0 and "cells 0," in first.stdout, first
+    done = subprocess.run(call, capture_output=True, text=True)
+    assert done.returncode == 0, done
+    made = json.loads((folder / "casts.json").read_text())
+    assert made["summary"] == {"cells": 18, "with_a_peer": 0, "slower_than_the_best_peer": 0, "below_half": 0, "wrong": 0, "failed": 0}, made["summary"]
+    assert all(cell["median_us"] > 0 and cell["command"][0] == "casts" for cell in made["cells"]), made
+    assert (folder / "casts.svg").read_text().count("<rect") == 18 + 1
+    again = subprocess.run(call, capture_output=True, text=True)
+    assert again.returncode == 0 and not again.stderr and json.loads((folder / "casts.json").read_text()) == made, again
+
+
 def main():
     peers = [peer for peer in PEER_VARIANTS if is_built_in(peer)]
     print("peers:", ", ".join(peers) or "none")
@@ -399,6 +425,7 @@ def main():
     check_mover(peers)
     check_casts(peers)
     check_cells()
+    check_points()
     check_sums(peers)
     check_motion()
     check_sweeps()
@@ -407,6 +434,7 @@ def main():
     check_walker()
     with tempfile.TemporaryDirectory() as folder:
         check_files(pathlib.Path(folder))
+        check_map(pathlib.Path(folder))
     assert run("mesh", *ROUND_PAIR, "--peer", "nobody").returncode == 2
     none = run("nearest", "--mesh", "gen:torus", "--count", "0")
     assert none.returncode == 2 and "--count: 0 is too small: at least 1 is needed" in none.stderr, none.stderr

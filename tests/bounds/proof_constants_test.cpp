@@ -120,6 +120,14 @@ TEST(ProofConstants, TwoPointsAreInTheEllipsoidThatTheirEllipsoidsMake) {
   EXPECT_TRUE(contains(merged, q));
 }
 
+// The middle of two neighbouring doubles is rounded to one of them.
+TEST(ProofConstants, TwoPointsFarAwayAreInTheEllipsoidThatTheirEllipsoidsMake) {
+  const Vec3 p{0x1p40, 0, 0}, q{0x1p40 + 0x1p-12, 0, 0};
+  const auto merged = merge(fitted<EllipsoidBound>(std::array{p}), fitted<EllipsoidBound>(std::array{q}));
+  EXPECT_TRUE(contains(merged, p));
+  EXPECT_TRUE(contains(merged, q));
+}
+
 TEST(ProofConstants, AnEllipsoidThatHasGrownAroundTwoPointsHoldsThem) {
   const std::array points{Vec3{0x1.8c25e6225b551p-4, -0x1.9c6b7652b8ceep-1, -0x1.d7ce6d5878b2p-2},
                           Vec3{0x1.8beb34ed04bb9p-4, -0x1.9c6c80f6a6fd7p-1, -0x1.d7af62d9fdbb3p-2}};

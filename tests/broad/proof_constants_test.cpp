@@ -45,6 +45,31 @@ TEST(ProofConstants, AxesThatAreNotOfLengthOneAreRefused) {
   EXPECT_EQ(complaint_about(box_along(1 + 0x1p-47)), "");
 }
 
+// What is between the centres is rounded up by nearly half a last place, and the sum of the radii down by half a one:
+// what is left of a gap of 2^-60 would be a whole one.
+TEST(ProofConstants, BallsThatAreHardlyApartMayMeetSoon) {
+  const double half = 0x1p-53, gap = 0x1p-60;
+  const SpaceTimeBall a{{{-half - gap, 0, 0}, 1}, {.velocity = {1, 0, 0}}}, b{{{1, 0, 0}, half}, {}};
+  EXPECT_LE(earliest_meeting(a, b), gap);
+}
+
+// The products that tell how fast the two come together are less than any double. They meet after less than 2^310.
+TEST(ProofConstants, BallsThatComeTogetherMoreSlowlyThanProductsTellMayMeet) {
+  const SpaceTimeBall a{{{0, 0, 0}, 0}, {.velocity = {0x1p-700, 0, 0}}}, b{{{0x1p-390, 0, 0}, 0}, {}};
+  EXPECT_LE(earliest_meeting(a, b), 0x1p310);
+}
+
+// Half of the square of the time is 1, and the root of 2 is rounded up.
+TEST(ProofConstants, AnAcceleratedMeetingIsNotToldTooLate) {
+  const oracle::Rational time = exact(earliest_meeting(1, {1, 0, 0}, {.max_acceleration = 1}, {}));
+  EXPECT_LE(time * time, 2);
+}
+
+// The velocity is at right angles to the direction but for 2^-60, and rounding makes it lead away.
+TEST(ProofConstants, WhatComesNearerByLessThanRoundingMayMeet) {
+  EXPECT_LE(earliest_meeting(1, {3, 7, 0x1p-60}, {.velocity = {7, -3, 1}}, {}), 0x8p60);
+}
+
 Aabb interval(double lower, double upper) { return {{lower, 0, 0}, {upper, 1, 1}}; }
 
 // The distance is a fiftieth of a last place more than both errors; it is rounded up, and their sum down, to a whole

@@ -215,6 +215,32 @@ def decompositions(folder):
     yield report
 
 
+def locations(folder):
+    """Points in a solid, on it and outside, by each tree, and of the trees alone."""
+    (folder / "places.txt").write_text("0 0 0\n0.5 0.5 0.5\n0 0.5 0.5\n0.1 0 0.5\n9 0 0\n")
+    for by in ["mesh", "bsp", "msp"]:
+        report = asked(folder, "locate", "gen:box", "--points", "places.txt", "--by", by)
+        assert [p["side"] for p in report["points"]] == ["inside"] + 3 * ["boundary"] + ["outside"], report
+        yield report
+    for by in ["bsp", "msp"]:
+        yield asked(folder, "locate", "gen:torus-knot", "--by", by)
+
+
+def subdivisions(folder):
+    """The mesh of a cage, and how far its limit is from another object and another limit."""
+    (folder / "creases.txt").write_text("crease 0 1\ncorner 7 1.5\n")
+    mesh = asked(folder, "subdivide", "scenes/a.obj", "--within", "0.3", "--levels", "1", "--crease-angle", "170")
+    assert mesh["status"] == "exact" and mesh["triangles"], mesh["status"]
+    yield mesh
+    yield asked(folder, "subdivide", "gen:icosphere,levels=0", "--scheme", "loop", "--triangles", "100", "--creases",
+                "creases.txt")
+    away = ["--pose-b", *"1 0 0 0 1 0 0 0 1 9 0 0".split()]
+    for second in [[], ["--both"]]:
+        apart = asked(folder, "subdivide", "gen:box", "gen:box", "--within", "0.01", *away, *second)
+        assert apart["gap"]["lower"] > 0, apart
+        yield apart
+
+
 EVERY_REPORT = {
     "check": reports,
     "distance": distances,
@@ -230,6 +256,7 @@ EVERY_REPORT = {
     "crowd-world": worlds,
     "minkowski": sums,
     "decompose": decompositions,
+    "subdivide": subdivisions,
 }
 
 
@@ -245,6 +272,10 @@ def main():
                 schema.validate(report)
                 check_asked(kind, report)
                 assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        schema = validator("locate-report.schema.json")
+        for report in locations(folder):
+            schema.validate(report)
+            assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scene = validator("scene.schema.json")
         scenes = list(folder.rglob("scene.json"))
         assert scenes

@@ -71,5 +71,41 @@ TEST_F(SubdivideCommand, ACaseKeepsItToTheBit) {
   EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
 }
 
+TEST_F(SubdivideCommand, WhatIsOfNoUseIsRefused) {
+  const auto refusal = [&](const std::vector<std::string>& words) {
+    const auto refused = run(words);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.out, "");
+    return refused.err;
+  };
+  const auto names = [](const std::string& error, const std::string& words) {
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+  };
+  names(refusal({"gen:box", "gen:box", "--levels", "2"}), "--levels is about the mesh of one cage");
+  names(refusal({"gen:box", "gen:box", "-o", "limit.obj"}), "-o writes the mesh of one cage");
+  names(refusal({"gen:box", "--solid", "all"}), "--solid tells what is taken for a solid where two objects");
+  names(refusal({"gen:box", "--both"}), "--both is about two cages");
+  EXPECT_EQ(run({"gen:box", "--within", "0.1", "--save-case", "case.json"}).exit_code, 0);
+  const auto beside = run({"case.json", "--triangles", "4194304"});
+  EXPECT_EQ(beside.exit_code, 0) << beside.err;
+  names(beside.err, "as --triangles asks another");
+}
+
+TEST_F(SubdivideCommand, OfSurfacesThatCoincideItIsToldThatItIsUndecided) {
+  const auto same = run({"gen:box", "gen:box", "--both", "--triangles", "4000"});
+  EXPECT_EQ(same.exit_code, 1) << same.err;
+  EXPECT_NE(same.out.find("whether they meet is undecided"), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("not reached"), std::string::npos) << same.out;
+}
+
+TEST_F(SubdivideCommand, FacesThatMeetInAVertexAreACageAndErrorsNameVerticesOfTheFile) {
+  folder.write("pinch.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nf 2 3 4\nf 4 5 6\n");
+  EXPECT_EQ(run({"pinch.obj", "--within", "0.1"}).exit_code, 0);
+  folder.write("fins.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 2 3 4\nf 3 2 5\nf 2 3 6\n");
+  const auto fins = run({"fins.obj", "--within", "0.1"});
+  EXPECT_EQ(fins.exit_code, 2);
+  EXPECT_NE(fins.err.find("the edge 1–2, from (0, 0, 0) to (1, 0, 0),"), std::string::npos) << fins.err;
+}
+
 }  // namespace
 }  // namespace toccata

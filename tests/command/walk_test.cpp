@@ -68,7 +68,7 @@ TEST_F(WalkCommand, MotionsAreTakenOneByOne) {
   for (std::size_t at = 0; at < walked.out.size(); at = walked.out.find('\n', at) + 1)
     lines.push_back(walked.out.substr(at, walked.out.find('\n', at) - at));
   ASSERT_EQ(lines.size(), 5U) << walked.out;
-  EXPECT_EQ(lines[0], "step,x,y,z,ground,contacts,met_wall,met_ceiling,stepped,tight,stuck,crushed");
+  EXPECT_EQ(lines[0], "step,x,y,z,ground,contacts,met_wall,met_ceiling,stepped,tight,stuck,crushed,cut_short");
   EXPECT_NEAR(std::stod(lines[4].substr(2)), 7, 1e-9) << walked.out;
   EXPECT_NE(lines[4].find(",step,"), std::string::npos) << walked.out;
 }
@@ -109,6 +109,28 @@ TEST_F(WalkCommand, ACaseIsAskedAgain) {
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 
+TEST_F(WalkCommand, BesideACaseNoOptionIsUnheard) {
+  EXPECT_EQ(run({"--from", "0", "0", "0", "--to", "1", "0", "0", "--save-case", "case.json"}).exit_code, 0);
+  EXPECT_EQ(run_command({"walk", "case.json", "--json"}, folder.path()).exit_code, 0);
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--stride", "0.1"},
+                                                 {"--most-steps", "10000"},
+                                                 {"--skin", "0.01"},
+                                                 {"--max-slope", "45"},
+                                                 {"--radius", "0.4"},
+                                                 {"--height", "1.8"},
+                                                 {"--fall", "0.01"},
+                                                 {"--step-height", "0.3"},
+                                                 {"--snap", "0.3"},
+                                                 {"--up", "z"},
+                                                 {"--solid", "auto"}}) {
+    std::vector<std::string> words{"walk", "case.json"};
+    words.insert(words.end(), option.begin(), option.end());
+    const auto refused = run_command(words, folder.path());
+    EXPECT_EQ(refused.exit_code, 2) << option[0];
+    EXPECT_NE(refused.err.find("as " + option[0] + " asks another"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(WalkCommand, ARecordedWalkIsDrawn) {
   const auto walked =
       run({"--from", "0", "0", "0", "--to", "8", "0", "0.2", "--json", "--html", "now.html", "--glb", "now.glb"});
@@ -130,8 +152,15 @@ TEST_F(WalkCommand, ErrorsSayWhatToDo) {
   EXPECT_NE(error_of({"--to", "1", "0", "0"}).find("name the point that it stands on with --from"), std::string::npos);
   EXPECT_NE(error_of({"--from", "1", "0", "0"}).find("name a point with --to X Y Z, or a file"), std::string::npos);
   EXPECT_NE(error_of({"--from", "0", "0", "0", "--motion", "bad.txt"}).find("bad.txt:2"), std::string::npos);
-  EXPECT_NE(error_of({"--from", "0", "0", "0", "--to", "1", "0", "0", "--motion", "bad.txt"}).find("--motion"),
-            std::string::npos);
+  for (const std::vector<std::string>& of_a_place :
+       {std::vector<std::string>{"--to", "1", "0", "0"}, {"--stride", "0.2"}, {"--most-steps", "10000"}}) {
+    std::vector<std::string> words{"--from", "0", "0", "0", "--motion", "bad.txt"};
+    words.insert(words.end(), of_a_place.begin(), of_a_place.end());
+    const std::string error = error_of(words);
+    EXPECT_NE(error.find(" excludes "), std::string::npos) << error;
+    for (const std::string& option : {std::string("--motion"), of_a_place[0]})
+      EXPECT_NE(error.find(option), std::string::npos) << error;
+  }
   const std::vector<std::string> way{"--from", "0", "0", "0", "--to", "1", "0", "0"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = way;

@@ -24,6 +24,19 @@ Aligned aligned(const Integer& a, long exponent_a, const Integer& b, long expone
   return {a, shifted(b, exponent_b - exponent_a), exponent_a};
 }
 
+/// The double nearest to (digits + part) · 2^exponent, of two the even one; infinite beyond the largest. The part is
+/// less than 1, and 0 unless told; then there are more than 54 digits.
+double nearest_double(const Integer& digits, bool has_part, long exponent) {
+  // A double has 53 digits, or fewer: none is below 2^-1074.
+  const long beyond = std::max(length(digits) - 52, -1074 - exponent);
+  if (beyond <= 0) return std::ldexp(digits.convert_to<double>(), static_cast<int>(std::min(exponent, 2000L)));
+  if (beyond > length(digits) + 1) return 0;
+  Integer kept = digits >> static_cast<unsigned long>(beyond);
+  const int half = Integer(2 * (digits - shifted(kept, beyond))).compare(shifted(1, beyond));
+  if (half > 0 || (half == 0 && (has_part || bit_test(kept, 0)))) kept += 1;
+  return std::ldexp(kept.convert_to<double>(), static_cast<int>(std::min(exponent + beyond, 2000L)));
+}
+
 }  // namespace
 
 Integer shifted(const Integer& value, long power) {
@@ -54,14 +67,13 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) {
 }
 
 double Rational::to_double() const {
-  if (is_dyadic()) {
-    long exponent = 0;
-    const double mantissa = mpz_get_d_2exp(&exponent, numerator_.backend().data());
-    return std::ldexp(mantissa, static_cast<int>(exponent + exponent_));
-  }
-  // Enough digits of the quotient that what is cut off after them does not show.
-  const long digits = std::max(0L, 64 + length(denominator_) - length(numerator_));
-  return Rational(Integer(shifted(numerator_, digits) / denominator_)).scaled(exponent_ - digits).to_double();
+  if (is_zero()) return 0;
+  const Integer size = abs(numerator_);
+  if (is_dyadic()) return sign() * nearest_double(size, false, exponent_);
+  // More digits of the quotient than a double has, and whether it ends there.
+  const long more = std::max(0L, 66 + length(denominator_) - length(size));
+  const Integer dividend = shifted(size, more), digits = dividend / denominator_;
+  return sign() * nearest_double(digits, digits * denominator_ != dividend, exponent_ - more);
 }
 
 Rational Rational::scaled(long power) const {

@@ -22,7 +22,7 @@ class Rational {
 
   [[nodiscard]] int sign() const { return numerator_.sign(); }
   [[nodiscard]] bool is_zero() const { return numerator_.is_zero(); }
-  /// Rounded towards 0, or in the last place.
+  /// The nearest double, of two the even one; infinite beyond the largest, by half of its last place or more.
   [[nodiscard]] double to_double() const;
   explicit operator double() const { return to_double(); }
   /// Times 2^power.

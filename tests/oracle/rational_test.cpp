@@ -19,6 +19,30 @@ TEST(OracleRational, DoublesKeepTheirValue) {
     EXPECT_EQ(exact(value).to_double(), value) << value;
 }
 
+TEST(OracleRational, BecomesTheNearestDouble) {
+  EXPECT_EQ(Rational(1, 3).to_double(), 1.0 / 3);
+  EXPECT_EQ(Rational(2, 3).to_double(), 2.0 / 3);  // which is rounded up
+  EXPECT_EQ(Rational(-2, 3).to_double(), -2.0 / 3);
+  EXPECT_EQ((exact(1) + exact(0x1p-53)).to_double(), 1);  // a tie, to the even one
+  EXPECT_EQ((exact(1) + exact(0x1.8p-52)).to_double(), 1 + 0x1p-51);
+  EXPECT_EQ((exact(1) + exact(0x1.0001p-53)).to_double(), 1 + 0x1p-52);
+  EXPECT_EQ((exact(0x1p-53) + exact(1) + exact(0x1p-300)).to_double(), 1 + 0x1p-52);
+  EXPECT_EQ(exact(0x1p-1074).scaled(-1).to_double(), 0);
+  EXPECT_EQ((exact(0x1p-1074) * Rational(2, 3)).to_double(), 0x1p-1074);
+  EXPECT_EQ((exact(0x1p-1074) * Rational(-1, 3)).to_double(), 0);
+  EXPECT_EQ(exact(0x1p-1074).scaled(-5000).to_double(), 0);
+  EXPECT_EQ(exact(std::numeric_limits<double>::max()).scaled(1).to_double(), std::numeric_limits<double>::infinity());
+  Random random(4);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = std::ldexp(random.between(-1, 1), static_cast<int>(random.below(600)) - 300);
+    const double y = std::ldexp(random.between(0.5, 1), static_cast<int>(random.below(600)) - 300);
+    // The processor rounds quotients, products and sums likewise.
+    ASSERT_EQ((exact(x) / exact(y)).to_double(), x / y) << x << " " << y;
+    ASSERT_EQ((exact(x) * exact(y)).to_double(), x * y) << x << " " << y;
+    ASSERT_EQ((exact(x) + exact(y)).to_double(), x + y) << x << " " << y;
+  }
+}
+
 TEST(OracleRational, CountsAsGmpDoes) {
   using Gmp = boost::multiprecision::mpq_rational;
   const std::uint64_t seed = 12;

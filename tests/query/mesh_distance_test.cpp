@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -163,6 +164,59 @@ TEST(MeshDistance, ToOtherShapesIsTheLeastOfItsTriangles) {
       const Vec3 from{random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
       expect_least_of_triangles(mesh, shape, {.pose_b = {test::random_rotation(random), from}, .solid_a = Solid::none});
     }
+}
+
+/// Whoever asks about these two that meet is told of the same elements, which do.
+void expect_one_contact(const Model& a, const Model& b, const PairQuery& query) {
+  const Distance truth = distance(a, b, query);
+  EXPECT_EQ(truth.upper, 0);
+  const auto all = contacts(a, b, query);
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Contact& contact) {
+    return contact.triangle_a == truth.element_a && contact.triangle_b == truth.element_b;
+  }));
+  DistanceCache cache;
+  PairQuery before = query;
+  before.pose_b.offset = before.pose_b.offset + Vec3{0, 0, 5};
+  static_cast<void>(distance(a, b, before, cache));
+  test::at_every_simd_level([&](SimdLevel level) {
+    Workspace workspace;
+    static_cast<void>(distance(a, b, before, workspace));
+    EXPECT_EQ(distance(a, b, query, workspace), truth) << "warm, " << name_of(level);
+    EXPECT_EQ(distance_within(a, b, 0.125, query, workspace), truth) << name_of(level);
+    if (a.has_mesh() && b.has_mesh()) {
+      EXPECT_EQ(distance(a, b, query, cache), truth) << "after others, " << name_of(level);
+    }
+  });
+}
+
+TEST(MeshDistance, OfMeshesThatMeetNamesTheSameTwoElementsWhoeverAsks) {
+  int met = 0;
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      SCOPED_TRACE(family + ", seed " + std::to_string(seed));
+      Random random(seed);
+      PairQuery query = test::random_poses(family, random);
+      query.solid_a = query.solid_b = Solid::none;
+      const double grid = seed % 2 == 0 ? 8 : 0;
+      const Model a(test::random_soup(random, 40, 0.6, grid)), b(test::random_soup(random, 40, 0.6, grid));
+      if (!overlap(a, b, query)) continue;
+      ++met;
+      expect_one_contact(a, b, query);
+    }
+  EXPECT_GT(met, 10);
+  expect_one_contact(Model(icosphere_mesh(1, 3)), Box{{0.5, 0.5, 0.5}}, {.pose_b = Pose::translation(0.9, 0.1, 0)});
+  expect_one_contact(Model(icosphere_mesh(1, 3)), HalfSpace({0, 0, -0.9}, {0, 0, 1}), {});
+}
+
+TEST(MeshDistance, OfMeshesThatMeetLooksAtNoMoreThanOverlap) {
+  const Model ball(icosphere_mesh(1, 4));
+  for (const double x : {0.25, 1.0, 1.75}) {
+    const PairQuery query{.pose_b = {rotation_about({1, 2, 3}, 20), {x, 0, 0}}};
+    Workspace of_overlap, of_distance;
+    EXPECT_TRUE(overlap(ball, ball, query, of_overlap));
+    EXPECT_EQ(distance(ball, ball, query, of_distance).upper, 0);
+    EXPECT_LE(of_distance.counts().volume_tests, of_overlap.counts().volume_tests);
+  }
 }
 
 TEST(MeshDistance, OfAFieldAndACompound) {

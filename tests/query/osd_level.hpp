@@ -30,18 +30,17 @@ struct PeerLevel {
 
 /// Arrays in the types that the peer reads.
 struct PeerCage {
-  explicit PeerCage(const SubdivisionCage& cage) {
-    const PolygonMesh& mesh = cage.polygons();
+  PeerCage(const PolygonMesh& mesh, const CageFeatures& features) {
     for (std::size_t f = 0; f + 1 < mesh.first.size(); ++f)
       counts.push_back(static_cast<int>(mesh.first[f + 1] - mesh.first[f]));
     for (const Index corner : mesh.corners) corners.push_back(static_cast<int>(corner));
     const auto weight = [](double sharpness) { return static_cast<float>(std::min(sharpness, sharp_for_ever)); };
-    for (const CageCrease& crease : cage.features().creases) {
+    for (const CageCrease& crease : features.creases) {
       crease_ends.push_back(static_cast<int>(crease.first));
       crease_ends.push_back(static_cast<int>(crease.second));
       crease_weights.push_back(weight(crease.sharpness));
     }
-    for (const CageCorner& corner : cage.features().corners) {
+    for (const CageCorner& corner : features.corners) {
       corner_vertices.push_back(static_cast<int>(corner.vertex));
       corner_weights.push_back(weight(corner.sharpness));
     }
@@ -62,15 +61,15 @@ struct PeerCage {
   osd::Far::TopologyDescriptor descriptor;
 };
 
-/// After so many uniform refinements.
-inline PeerLevel peer_level(const SubdivisionCage& cage, int level) {
-  const PeerCage peer(cage);
+/// After so many uniform refinements. The cage need not be one of ours.
+inline PeerLevel peer_level(const PolygonMesh& cage, SubdivisionScheme kind, const CageFeatures& features, int level) {
+  const PeerCage peer(cage, features);
   using Factory = osd::Far::TopologyRefinerFactory<osd::Far::TopologyDescriptor>;
   osd::Sdc::Options options;
-  options.SetVtxBoundaryInterpolation(cage.features().border == CageBorder::smooth
+  options.SetVtxBoundaryInterpolation(features.border == CageBorder::smooth
                                           ? osd::Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
                                           : osd::Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-  const auto scheme = cage.scheme() == SubdivisionScheme::loop ? osd::Sdc::SCHEME_LOOP : osd::Sdc::SCHEME_CATMARK;
+  const auto scheme = kind == SubdivisionScheme::loop ? osd::Sdc::SCHEME_LOOP : osd::Sdc::SCHEME_CATMARK;
   const std::unique_ptr<osd::Far::TopologyRefiner> refiner(
       Factory::Create(peer.descriptor, Factory::Options(scheme, options)));
   osd::Far::TopologyRefiner::UniformOptions uniform(level);
@@ -78,7 +77,7 @@ inline PeerLevel peer_level(const SubdivisionCage& cage, int level) {
   refiner->RefineUniform(uniform);
 
   PeerLevel found;
-  for (const Vec3& v : cage.polygons().vertices) found.points.push_back({v});
+  for (const Vec3& v : cage.vertices) found.points.push_back({v});
   const osd::Far::PrimvarRefinerReal<double> points(*refiner);
   for (int i = 1; i <= level; ++i) {
     std::vector<WeightedPoint> finer(static_cast<std::size_t>(refiner->GetLevel(i).GetNumVertices()));
@@ -97,6 +96,10 @@ inline PeerLevel peer_level(const SubdivisionCage& cage, int level) {
           {static_cast<Index>(corners[0]), static_cast<Index>(corners[i - 1]), static_cast<Index>(corners[i])});
   }
   return found;
+}
+
+inline PeerLevel peer_level(const SubdivisionCage& cage, int level) {
+  return peer_level(cage.polygons(), cage.scheme(), cage.features(), level);
 }
 
 }  // namespace toccata::test

@@ -49,6 +49,18 @@ TEST(ProofConstants, TheWayIntoATreeCoversTheRoundingOfWorldVertices) {
   EXPECT_LE(error, exact(way.off(largest_magnitude(world))));
 }
 
+// Three quarters of the vertex are no whole number of least doubles, and half of one is more than all other roundings.
+TEST(ProofConstants, TheWayIntoATreeOfLeastDoublesCoversWhatUnderflows) {
+  const Vec3 vertex{0x2000'0002p-1074, 0, 0};
+  const Model model(TriangleMesh({vertex, -vertex, {0, vertex.x, 0}}, {{0, 1, 2}}));
+  const PosedMesh mesh(model, scaled(Pose{}, 0.75));
+  const WayIntoTree way(mesh);
+  ASSERT_TRUE(way.usable());
+  const Vec3 world = mesh.vertex(0);
+  const oracle::Rational error = abs(exact(way.place(world).x) - exact(vertex.x / model.wide_bvh().unit));
+  EXPECT_LE(error, exact(way.off(largest_magnitude(world))));
+}
+
 // A point so far away that what rounding it leaves is more than a small mesh.
 TEST(ProofConstants, TheWayIntoATreeCoversTheRoundingOfTheWay) {
   const Model model(TriangleMesh({{0.75, 0, 0}, {-0.75, 0, 0}, {0, 0.75, 0.75}}, {{0, 1, 2}}));

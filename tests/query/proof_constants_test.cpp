@@ -175,10 +175,11 @@ TEST(ProofConstants, ATranslationAfterWhichOnlyRoundingPartsIsNotTaken) {
   const PosedModel a = pose_model(box, {}, Solid::automatic, "a"),
                    b = pose_model(box, Pose::translation(1, 0, 0), Solid::automatic, "b");
   SolidBody body_a(a), body_b(b);
-  SeparatingSearch search(body_a, body_b,
-                          {[](const Vec3& move) { return dot(move, move) < 2.25 ? 0x1p-50 : 1.0; },
-                           [](const Vec3&) { return std::vector<SurfaceIntersection>(); }});
-  EXPECT_GE(search.answer().upper, 1.5);
+  const SeparatingQuestions questions{[](const Vec3& move) { return dot(move, move) < 2.25 ? 0x1p-50 : 1.0; },
+                                      [](const Vec3&) { return std::vector<SurfaceIntersection>(); }};
+  const DepthLimit limit(DepthOptions{});
+  SeparatingSearch search(body_a, body_b, questions, limit);
+  EXPECT_GE(search.answer({.upper = infinity}).upper, 1.5);
 }
 
 }  // namespace

@@ -177,6 +177,9 @@ TEST(DifferenceGrowth, ShrinksAtEveryValence) {
       growth.include(growth_at(scheme, {.rule = VertexRule::smooth, .valence = n}));
       EXPECT_LT(moved_by_all_levels(growth, one), 40) << n;
     }
+  DifferenceGrowth of_two = growth_at_new_vertices(SubdivisionScheme::catmull_clark, false);
+  of_two.include(growth_at(SubdivisionScheme::catmull_clark, {.rule = VertexRule::smooth, .valence = 2}));
+  EXPECT_LT(moved_by_all_levels(of_two, one), 40);
 }
 
 }  // namespace

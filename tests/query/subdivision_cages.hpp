@@ -29,6 +29,22 @@ inline PolygonMesh cube_cage() {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
+/// With a vertex that lies between two faces and nothing else.
+inline PolygonMesh cage_with_a_vertex_of_two() {
+  PolygonMesh cube = cube_cage();
+  cube.vertices.push_back({0.1, -0.2, 1.1});
+  return polygons_of(
+      cube.vertices,
+      {{0, 3, 2, 1}, {4, 5, 6, 8}, {4, 8, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+/// Two squares, or twice two triangles, that meet in vertex 2 only.
+inline PolygonMesh pinched_sheet(bool triangles) {
+  const std::vector<Vec3> vertices{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}, {2, 1, 0}, {2, 2, 0.5}, {1, 2, 0}};
+  if (triangles) return polygons_of(vertices, {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}});
+  return polygons_of(vertices, {{0, 1, 2, 3}, {2, 4, 5, 6}});
+}
+
 /// Two poles with `valence` triangles each.
 inline PolygonMesh bipyramid_cage(int valence) {
   std::vector<Vec3> vertices{{0, 0, 1}, {0, 0, -1}};
@@ -114,12 +130,14 @@ struct CageCase {
   SubdivisionScheme scheme;
 };
 
-/// Of both schemes: regular, extraordinary of every valence up to twelve, and open.
+/// Of both schemes: regular, extraordinary of valences from two to twelve, open, and of two that meet in a vertex only.
 inline std::vector<CageCase> cage_cases(Random& random) {
-  std::vector<CageCase> cases{{cube_cage(), SubdivisionScheme::catmull_clark}};
+  std::vector<CageCase> cases{{cube_cage(), SubdivisionScheme::catmull_clark},
+                              {cage_with_a_vertex_of_two(), SubdivisionScheme::catmull_clark}};
   for (const SubdivisionScheme scheme : {SubdivisionScheme::loop, SubdivisionScheme::catmull_clark}) {
     const bool triangles = scheme == SubdivisionScheme::loop;
     cases.push_back({torus_cage(5, 4, triangles), scheme});
+    cases.push_back({pinched_sheet(triangles), scheme});
     cases.push_back({shaken(sheet_cage(3, triangles), 0.3, random), scheme});
     for (const int valence : {3, 4, 5, 6, 7, 9, 12})
       cases.push_back({shaken(bipyramid_cage(valence), 0.2, random), scheme});

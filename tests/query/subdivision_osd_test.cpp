@@ -38,5 +38,17 @@ TEST(SubdivisionOfOpenSubdiv, HasTheSamePointsAndLimitsWithinTheBound) {
     }
 }
 
+TEST(SubdivisionOfOpenSubdiv, KeepsAVertexWhereFacesMeetInItOnly) {
+  for (const SubdivisionScheme scheme : {SubdivisionScheme::loop, SubdivisionScheme::catmull_clark}) {
+    const PolygonMesh pinched = pinched_sheet(scheme == SubdivisionScheme::loop);
+    const CageFeatures features{.creases = {{2, 3, 1.5}}};
+    LevelMesh mesh = cage_level({pinched, scheme, features});
+    for (int level = 0; level < 3; ++level) mesh = subdivided(mesh, std::vector<char>(mesh.face_count(), 1));
+    const PeerLevel peer = peer_level(pinched, scheme, features, 3);
+    ASSERT_EQ(peer.points.size() + 1, mesh.points.size());
+    for (const WeightedPoint& p : peer.points) EXPECT_LT(gap_to(mesh.points, p.at), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace toccata::test

@@ -1,9 +1,12 @@
 // Meshes in place of limit surfaces, and questions about limit surfaces.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "query/subdivision/level_mesh.hpp"
 #include "query/subdivision/refinement_rules.hpp"
@@ -253,16 +256,99 @@ TEST(SubdivisionCage, RefusesWhatIsNoSurface) {
         SubdivisionCage({three, {0, 1, 2}, {0, 2}}, SubdivisionScheme::loop);
       },
       "end with the number of corners");
-  expect([&] { cage(four, {{0, 1, 2}}); }, "vertex 3 of the cage is of no face");
+  expect([&] { cage(four, {{0, 1, 2}}); }, "vertex 3 of the cage, at (0, 0, 1), is of no face");
   expect([&] { cage(three, {{0, 1, 2, 1}}); }, "twice");
   expect([&] { cage(five, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}); }, "more than two faces");
   expect([&] { cage(four, {{0, 1, 2}, {0, 1, 3}}); }, "turn one of them round");
-  expect([&] { cage(five, {{0, 1, 2}, {0, 3, 4}}); }, "joins faces that share no edge");
-  expect([&] { cage(three, {{0, 1, 2}, {2, 1, 0}}); }, "lies between two faces");
+  expect([&] { cage(three, {{0, 1, 2}, {2, 1, 0}}, SubdivisionScheme::loop); }, "lies between two triangles");
   expect([&] { cage(three, {{0, 1, 2}}, SubdivisionScheme::loop, {.creases = {{0, 7, 1}}}); }, "no edge of the cage");
   expect([&] { cage(three, {{0, 1, 2}}, SubdivisionScheme::loop, {.creases = {{0, 1, -1}}}); }, "at least 0");
   expect([&] { cage(three, {{0, 1, 2}}, SubdivisionScheme::loop, {.corners = {{5, 1}}}); }, "names vertex 5");
   expect([&] { (void)refine({cube_cage(), SubdivisionScheme::catmull_clark}, {.tolerance = 0}); }, "tolerance");
+}
+
+/// Two cubes with one corner in common: the corner of the second is that of the first.
+PolygonMesh cubes_at_a_corner() {
+  PolygonMesh cubes = cube_cage();
+  const std::size_t count = cubes.corners.size();
+  for (std::size_t i = 0; i < count; ++i) cubes.corners.push_back(cubes.corners[i] == 0 ? 6 : cubes.corners[i] + 7);
+  for (Index v = 1; v < 8; ++v) cubes.vertices.push_back(cubes.vertices[v] + Vec3{2, 2, 2});
+  for (Index f = 1; f <= 6; ++f) cubes.first.push_back(24 + 4 * f);
+  return cubes;
+}
+
+TEST(SubdivisionCage, WhereFacesMeetInAVertexOnlyEachGroupHasOneThatStays) {
+  const CageFeatures features{.creases = {{6, 8}, {6, 7}}};
+  const SubdivisionCage cage(cubes_at_a_corner(), SubdivisionScheme::catmull_clark, features);
+  EXPECT_TRUE(cage.closed());
+  ASSERT_EQ(cage.polygons().vertices.size(), 16U);
+  EXPECT_EQ(cage.polygons().vertices[15], (Vec3{1, 1, 1}));
+  EXPECT_EQ(cage.features().corners, (std::vector<CageCorner>{{6}, {15}}));
+  EXPECT_EQ(cage.features().creases, (std::vector<CageCrease>{{15, 8}, {6, 7}}));
+  const SubdividedMesh refined = refine(cage, {.tolerance = 0.1});
+  EXPECT_TRUE(Model(refined.mesh).closed());
+  EXPECT_EQ(std::count(refined.mesh.vertices().begin(), refined.mesh.vertices().end(), Vec3{1, 1, 1}), 2);
+  EXPECT_EQ(cage.posed({}).polygons().corners, cage.polygons().corners);
+}
+
+TEST(SubdivisionCage, AVertexOfTwoFacesHasNoTrianglesThatLieUponEachOther) {
+  const SubdividedMesh refined =
+      refine({cage_with_a_vertex_of_two(), SubdivisionScheme::catmull_clark}, {.tolerance = 0.01});
+  EXPECT_EQ(refined.status, Status::exact);
+  std::set<std::array<Index, 3>> seen;
+  for (std::array<Index, 3> triangle : refined.mesh.triangles()) {
+    std::sort(triangle.begin(), triangle.end());
+    EXPECT_TRUE(seen.insert(triangle).second);
+  }
+}
+
+/// As a mesh in which some faces have vertices of their own.
+TriangleMesh soup_of(const PolygonMesh& polygons, Index first_face, Index end_face) {
+  PolygonMesh soup = polygons;
+  for (Index i = polygons.first[first_face]; i < polygons.first[end_face]; ++i) {
+    soup.vertices.push_back(polygons.vertices[polygons.corners[i]]);
+    soup.corners[i] = static_cast<Index>(soup.vertices.size() - 1);
+  }
+  return triangulate(soup);
+}
+
+TEST(SubdivisionCage, OfAMeshJoinsSeamsAndNothingElse) {
+  const SubdivisionScheme scheme = SubdivisionScheme::catmull_clark;
+  const auto of_mesh = [&](const TriangleMesh& mesh) { return SubdivisionCage::of_mesh(mesh, scheme); };
+  const PolygonMesh cube = cube_cage();
+  for (Index faces = 0; faces <= 6; ++faces) {  // have vertices of their own
+    const SubdivisionCage cage = of_mesh(soup_of(cube, 0, faces));
+    EXPECT_TRUE(cage.closed()) << faces;
+    EXPECT_EQ(cage.polygons().vertices.size(), 8U) << faces;
+  }
+  // Two cubes side by side share four places, and a pinched sheet of two vertices one: each part is its own.
+  PolygonMesh two = cube;
+  for (const Index corner : cube.corners) two.corners.push_back(corner + 8);
+  for (const Vec3& v : cube.vertices) two.vertices.push_back(v + Vec3{2, 0, 0});
+  for (Index f = 1; f <= 6; ++f) two.first.push_back(24 + 4 * f);
+  EXPECT_TRUE(of_mesh(triangulate(two)).closed());
+  EXPECT_EQ(of_mesh(triangulate(two)).polygons().vertices.size(), 16U);
+  const SubdivisionCage sheet = of_mesh(soup_of(pinched_sheet(false), 1, 2));
+  EXPECT_EQ(sheet.polygons().vertices.size(), 8U);
+  EXPECT_TRUE(sheet.features().corners.empty());
+  EXPECT_EQ(of_mesh(triangulate(pinched_sheet(false))).features().corners.size(), 2U);
+}
+
+TEST(SubdivisionCage, ErrorsNameWhatTheMeshHas) {
+  const PolygonMesh fins = polygons_of({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
+                                       {{1, 2, 3}, {2, 1, 4}, {1, 2, 5}});
+  const auto of_mesh = [](const TriangleMesh& mesh, const CageFeatures& features) {
+    return message_of([&] { (void)SubdivisionCage::of_mesh(mesh, SubdivisionScheme::loop, features); });
+  };
+  EXPECT_EQ(of_mesh(triangulate(fins), {}).find("the edge 1–2, from (0, 0, 0) to (1, 0, 0), is shared by more"), 0U)
+      << of_mesh(triangulate(fins), {});
+  const PolygonMesh one = polygons_of({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 2, 3}});
+  const auto with = [&](const CageFeatures& features) { return of_mesh(triangulate(one), features); };
+  EXPECT_EQ(with({}), "");
+  EXPECT_EQ(with({.creases = {{1, 2}}, .corners = {{3}}}), "");
+  EXPECT_NE(with({.corners = {{0}}}).find("names vertex 0, but no face has it"), std::string::npos);
+  EXPECT_NE(with({.corners = {{4}}}).find("there are 4 vertices"), std::string::npos);
+  EXPECT_NE(with({.creases = {{1, 2, -1}}}).find("the edge 1–2, from (0, 0, 0)"), std::string::npos);
 }
 
 }  // namespace

@@ -164,6 +164,28 @@ TEST(Walk, OfALongWalkAPageShowsSomeStepsAndTheWholePath) {
   EXPECT_EQ(recording.frames().back().label, "step 2500: in the air");
 }
 
+TEST(Walk, ShowsEveryStepOfTwoThousandAndTellsWhatWentWrong) {
+  WalkReport report;
+  for (int i = 1; i <= 2001; ++i) {
+    WalkedStep step{{0.001, 0, 0}, {}};
+    step.step.state.pose = Pose::translation(0.001 * i, 0, 5);
+    step.step.tight = step.step.stuck = step.step.crushed = step.step.cut_short = i == 2000;
+    report.steps.push_back(step);
+  }
+  const Scene scene = walk_scene();
+  const std::vector<SceneInstance> models = scene_models(scene);
+  EXPECT_EQ(record_walk(models, report).frames().size(), 1002U);
+  report.steps.pop_back();
+  const WorldRecording recording = record_walk(models, report);
+  ASSERT_EQ(recording.frames().size(), 2001U);
+  EXPECT_EQ(recording.frames().back().label, "step 2000: in the air, nearer than its skin, stuck, crushed, cut short");
+  const Json steps = Json::parse(report_json(scene, models, SceneAnswer(report)))["steps"];
+  EXPECT_FALSE(steps[1998]["cut_short"]);
+  EXPECT_TRUE(steps[1999]["cut_short"]);
+  const std::string csv = report_csv(scene, SceneAnswer(report));
+  EXPECT_TRUE(csv.ends_with(",0,0,0,1,1,1,1\n")) << csv.substr(csv.size() - 60);
+}
+
 TEST(Walk, BadQuestionsAreRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   WalkQuestion question = walk_to({1, 0, 0});

@@ -25,15 +25,6 @@ oracle::HalfSpace exact_of(const HalfSpace& h) {
 
 bool less(const Vec3& a, const Vec3& b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; }
 
-/// The double nearest to a number; ties do not happen here.
-double nearest_to(const oracle::Rational& number) {
-  const double near = number.to_double();
-  double best = near;
-  for (const double other : {std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)})
-    if (abs(number - oracle::exact(other)) < abs(number - oracle::exact(best))) best = other;
-  return best;
-}
-
 /// The point of every three planes that is in all half-spaces, rounded; sorted, each once.
 std::vector<Vec3> vertices_by_triples(const HalfSpaces& half_spaces) {
   std::vector<oracle::HalfSpace> all;
@@ -49,7 +40,7 @@ std::vector<Vec3> vertices_by_triples(const HalfSpaces& half_spaces) {
                                                              b.offset * oracle::cross(c.normal, a.normal) +
                                                              c.offset * oracle::cross(a.normal, b.normal));
         if (std::all_of(all.begin(), all.end(), [&](const auto& h) { return oracle::dot(h.normal, p) <= h.offset; }))
-          found.push_back({nearest_to(p.x), nearest_to(p.y), nearest_to(p.z)});
+          found.push_back(oracle::rounded(p));
       }
   std::sort(found.begin(), found.end(), less);
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -181,12 +172,41 @@ TEST(HullOfHalfSpaces, IsGivenUpWhereItTakesTooManyComparisons) {
     ADD_FAILURE() << "it was not given up";
   } catch (const Error& error) {
     EXPECT_TRUE(has(error.what(), "more than 5000 comparisons")) << error.what();
+    EXPECT_TRUE(has(error.what(), "of the 60 half-spaces, taken in a mixed order, have ")) << error.what();
+    // So many vertices as that many half-spaces about a ball have, or fewer where they leave it open.
+    const std::vector<std::size_t> told = numbers_in(error.what());
+    ASSERT_EQ(told.size(), 4U) << error.what();
+    EXPECT_LT(told[0], told[1]);
+    EXPECT_LE(told[2], 2 * told[0] - 4);
   }
   EXPECT_EQ(hull_of_half_spaces(many, 1'000'000).vertex_count(), 2U * 60 - 4);
   // What has no point in common is found before, and named.
   HalfSpaces empty = many;
   empty.emplace_back(Vec3{5, 0, 0}, Vec3{-1, 0, 0});
   EXPECT_TRUE(has(refusal_of(empty), "no point in common")) << refusal_of(empty);
+}
+
+/// Also where the search for those that are named would begin when the first has taken nearly all of them.
+TEST(HullOfHalfSpaces, TakesNoMoreComparisonsInAllThanAreAllowed) {
+  HalfSpaces empty = around_ball(25, 1);
+  empty.emplace_back(Vec3{5, 0, 0}, Vec3{-1, 0, 0});
+  const auto refusal = [&](std::uint64_t most) -> std::string {
+    try {
+      static_cast<void>(hull_of_half_spaces(empty, most));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  std::uint64_t too_few = 0, enough = 100'000;
+  while (enough - too_few > 1) {
+    const std::uint64_t middle = (too_few + enough) / 2;
+    (has(refusal(middle), "no point in common") ? enough : too_few) = middle;
+  }
+  EXPECT_TRUE(has(refusal(too_few), "to find those of all")) << refusal(too_few);
+  EXPECT_TRUE(has(refusal(enough), "it would take more than " + std::to_string(enough) + " comparisons to tell a few"))
+      << refusal(enough);
+  EXPECT_EQ(numbers_in(refusal(100 * enough)), numbers_in(refusal_of(empty)));
 }
 
 /// A quarter of the random ones have no common point. Those that are named have none, and with one less they have.
@@ -241,6 +261,31 @@ TEST(HullOfHalfSpaces, ThatIsFlatNamesItsPlanes) {
   EXPECT_TRUE(has(refusal_of(flat), "half-spaces 3, 7 have no point in common")) << refusal_of(flat);
 }
 
+/// Four planes through one point, whose coordinates are no doubles, with normals around it: all that they have in
+/// common is that point. So it is flat, and not empty.
+TEST(HullOfHalfSpaces, ThatIsOnePointBetweenDoublesIsFlat) {
+  Random random(6);
+  int made = 0;
+  while (made < 40) {
+    std::array<Vec3, 3> normals;
+    Vec3 sum;
+    double offset = 0;
+    HalfSpaces all;
+    for (Vec3& normal : normals) {
+      normal = {whole(random, 9), whole(random, 9), whole(random, 9)};
+      if (&normal == &normals[2]) normal.x = 1 - sum.x;
+      const Vec3 point{whole(random, 9), whole(random, 9), whole(random, 9)};
+      sum += normal;
+      offset += dot(normal, point);
+      if (normal != Vec3{}) all.emplace_back(point, normal);
+    }
+    if (dot(normals[0], cross(normals[1], normals[2])) == 0) continue;
+    all.emplace_back(Vec3{offset, 0, 0}, -sum);  // the sum's x is 1
+    ASSERT_TRUE(has(refusal_of(all), "planes of half-spaces 0, 1, 2, 3")) << refusal_of(all);
+    ++made;
+  }
+}
+
 /// A wedge between x = 1 and a plane that leaves it by 2^-60 at the far end: no double lies between.
 TEST(HullOfHalfSpaces, ThatIsThinnerThanDoublesIsRefused) {
   HalfSpaces thin = cube(1);
@@ -249,6 +294,23 @@ TEST(HullOfHalfSpaces, ThatIsThinnerThanDoublesIsRefused) {
   HalfSpaces huge = cube(1e308);
   huge.emplace_back(Vec3{1e308, 0, 0}, Vec3{1, 0.5, 0});
   EXPECT_EQ(refusal_of(huge), "");
+}
+
+/// A corner is beyond the first plane by less than half a unit of the sum that tells its side, which is rounded to
+/// minus one.
+TEST(HullOfHalfSpaces, HasNoCornerThatOnlyRoundingTakesForOneInside) {
+  const Vec3 corner{0x1.ef8bbf2620fdap-1, 0x1.82528fd60b9ccp-11, 0x1.4c75e1afdeb58p-5};
+  HalfSpaces sides{{Vec3{0, 0, 0x1.98f2028b04ed5p-1}, Vec3{0x1.90aa5c04dbaf0p-1, 1, 1}}};
+  ASSERT_GT(oracle::height_above(exact_of(sides.front()), oracle::exact(corner)), 0);
+  for (const double side : {-1.0, 1.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 along;
+      along[axis] = side;
+      sides.emplace_back(side < 0 ? Vec3{} : corner, along);
+    }
+  const ConvexHull hull = hull_of_half_spaces(sides);
+  EXPECT_EQ(hull.vertex_count(), 10);
+  for (Index v = 0; v < hull.vertex_count(); ++v) EXPECT_NE(hull.vertex(v), corner);
 }
 
 }  // namespace

@@ -193,6 +193,16 @@ TEST(CharacterMoverLimits, WhatSlipsAlongItAndThenMeetsItPushesIt) {
   EXPECT_FALSE(step.stuck);
 }
 
+TEST(CharacterMoverLimits, WhatPushesItAndGrowsIsNamed) {
+  const Pose after = Pose::translation(0.6, 0, 1), smaller{{{Vec3{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}}, {3, 0, 1}};
+  const SceneIndex level = scene({floor_below(), {Box({0.3, 1, 1}), after, Solid::automatic, "door"}});
+  const Moved moved{{1, smaller}};
+  const std::string message =
+      message_of([&] { static_cast<void>(move_character(level, capsule(), State{}, {}, {}, {}, moved)); });
+  EXPECT_NE(message.find("door"), std::string::npos) << message;
+  EXPECT_NE(message.find("no turn"), std::string::npos) << message;
+}
+
 TEST(CharacterMoverLimits, KeepsTheGroundBesideAWallThatLeans) {
   const double down = 12 * 0.017453292519943295, lean = 15 * 0.017453292519943295;
   const SceneIndex level = scene({{HalfSpace({}, {std::sin(down), 0, std::cos(down)}), {}},
@@ -268,8 +278,8 @@ TEST(CharacterMoverLimits, AWayNarrowerThanItIsStopsItOrIsToldWhereItIsIn) {
   }
   EXPECT_LT(state.pose.offset.x, 4);
   const Step inside = move_character(funnel, capsule(), {Pose::translation(8, 0, 0.1)}, {});
-  EXPECT_TRUE(!inside.tight || inside.stuck || inside.state.pose.offset.x > 4);
   EXPECT_EQ(inside.tight, is_within(funnel, capsule(), inside.state.pose, 0.90625 * skin));
+  EXPECT_EQ(inside.stuck, distance_from_level(funnel, capsule(), inside.state.pose) == 0);
 }
 
 }  // namespace

@@ -54,6 +54,8 @@ class BulletSweeps : public SweepLibrary {
   };
 
   static std::unique_ptr<btConvexShape> shape_of(const SweepBody& body) {
+    if (const auto* sphere = std::get_if<Sphere>(&body)) return converted(*sphere);
+    if (const auto* capsule = std::get_if<Capsule>(&body)) return converted(*capsule);
     if (const auto* box = std::get_if<Box>(&body)) return converted(*box);
     return converted(std::get<ConvexHull>(body));
   }

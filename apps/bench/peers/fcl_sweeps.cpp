@@ -69,6 +69,8 @@ class FclSweeps : public SweepLibrary {
   static Geometry geometry_of(const SweepBody& body) {
     if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&body))
       return fcl_model_of<fcl::OBBRSSd>(**mesh);
+    if (const auto* sphere = std::get_if<Sphere>(&body)) return std::make_unique<fcl::Sphered>(converted(*sphere));
+    if (const auto* capsule = std::get_if<Capsule>(&body)) return std::make_unique<fcl::Capsuled>(converted(*capsule));
     if (const auto* box = std::get_if<Box>(&body)) return std::make_unique<fcl::Boxd>(converted(*box));
     return std::make_unique<fcl::Convexd>(converted(std::get<ConvexHull>(body)));
   }

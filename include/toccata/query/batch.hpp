@@ -96,6 +96,9 @@ struct ContactCount {
 
 [[nodiscard]] std::vector<Penetration> penetration_each(const Batch<PairQuery>& batch,
                                                         const BatchOptions& options = {});
+/// A time limit is that of each question.
+[[nodiscard]] std::vector<DepthBracket> depth_bracket_each(const Batch<PairQuery>& batch, const DepthOptions& depth,
+                                                           const BatchOptions& options = {});
 [[nodiscard]] std::vector<Manifold> manifold_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
 
 /// A question for `cast_shape`: A moves by `motion` (world), from where `poses` places it.

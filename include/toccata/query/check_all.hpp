@@ -36,6 +36,7 @@ struct PairAnswer {
   Relation relation;                         ///< apart: no farther than its clearance, or `undecided` whether
   std::vector<Contact> contacts;             ///< filled when asked for
   std::optional<Penetration> penetration{};  ///< when asked for and defined for the pair (pairs.hpp): of two solids
+  DepthEnd depth_end = DepthEnd::precise;    ///< why its bracket is no narrower
   std::optional<Manifold> manifold{};        ///< of two convex shapes or one and a half-space
   /// With the penetration, where one is a mesh, a height field or a compound and not both have a mesh: of each two
   /// elements that meet, ascending.
@@ -54,6 +55,7 @@ struct PairClearance {
 struct CheckOptions {
   bool contacts = false;     ///< list the intersecting triangles of every pair
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
+  DepthOptions depth{.precision = 0.1};  ///< how narrow its bracket is to be; a time limit is that of each pair
   /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly
   /// (within_distance), and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
   std::optional<double> clearance{};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "toccata/core/index.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/core/status.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/model.hpp"
@@ -66,8 +67,9 @@ struct CagePolygons {
 };
 
 /// The polygons that were cut into the mesh's triangles, as they are in the file, beginning at another corner perhaps.
-/// Vertices of equal coordinates become one, as in STL files each triangle has its own. Throws Error naming a face that
-/// is no polygon without holes.
+/// Where sides of faces that have no neighbour in the mesh have the same ends in space, these become one vertex each,
+/// as in STL files each triangle has vertices of its own, and at seams of textures. What only touches is not joined.
+/// Throws Error naming a face that is no polygon without holes.
 [[nodiscard]] CagePolygons cage_polygons(const TriangleMesh& mesh);
 
 /// The edges whose two faces turn by more than the angle, in degrees, sharp for ever: 0 … 180. Throws Error as
@@ -79,9 +81,17 @@ class SubdivisionCage {
  public:
   /// Throws Error naming the element when a coordinate is not finite or beyond 10¹⁵⁰, a face has fewer than three
   /// corners (of Loop, other than three) or one of them twice, an index is out of range, a vertex is of no face, three
-  /// faces share an edge or two use it in the same direction, faces meet in a vertex only, a vertex lies between two
-  /// faces and nothing else, a crease is no edge of the cage, or a sharpness is negative or no number.
+  /// faces share an edge or two use it in the same direction, two triangles of Loop are the same from two sides, a
+  /// crease is no edge of the cage, or a sharpness is negative or no number.
+  ///
+  /// Where faces meet in a vertex only, each group of them gets one of its own, which stays where it is, as OpenSubdiv
+  /// has it: these follow the others, and are corners of the features.
   SubdivisionCage(PolygonMesh polygons, SubdivisionScheme scheme, CageFeatures features = {});
+
+  /// Of `cage_polygons`. Features name vertices of the mesh, and so do errors, with their coordinates. Throws Error as
+  /// both do.
+  [[nodiscard]] static SubdivisionCage of_mesh(const TriangleMesh& mesh, SubdivisionScheme scheme,
+                                               CageFeatures features = {});
 
   [[nodiscard]] const PolygonMesh& polygons() const { return polygons_; }
   [[nodiscard]] SubdivisionScheme scheme() const { return scheme_; }
@@ -105,6 +115,7 @@ struct RefinementOptions {
   int levels = 0;
   /// Refining ends before there were more, not counting what faces beside finer ones are cut into for their sake.
   std::size_t max_triangles = std::size_t{1} << 22;
+  Progress progress{};  ///< is told how many of these there are, level by level
 };
 
 /// A mesh in place of a limit surface, and how far from each other they are.
@@ -142,6 +153,10 @@ struct LimitQuery {
   /// undecided.
   double tolerance = 1e-6;
   std::size_t max_faces = std::size_t{1} << 20;  ///< of one level, near the other; the search ends before it has more
+  /// Of faces with the model, or of two cages with each other, in all levels: there the search ends. Where surfaces
+  /// coincide or are parallel over an area, all faces stay near.
+  std::size_t max_comparisons = std::size_t{1} << 20;
+  Progress progress{};  ///< is told how many of them there were
 };
 
 /// The distance of a limit surface from a model or another limit surface.
@@ -157,7 +172,8 @@ struct LimitDistance {
   Index cage_face = 0;
   Index element = 0;  ///< of the model, or the face of the other cage
   int level = 0;      ///< how often the cage was refined there
-  /// not_converged: the interval is wider than the tolerance, because `max_faces` ended the search.
+  /// not_converged: the interval is wider than the tolerance, because `max_faces` or `max_comparisons` ended the
+  /// search.
   Status status = Status::exact;
 };
 
@@ -175,7 +191,7 @@ struct LimitOverlap {
   bool overlap = false;  ///< also where it is undecided
   /// exact: proved, a no always, a yes where some of the surface lies deep enough within a solid or the other way
   /// round. undecided: they are no farther than `distance` apart, which is at most the tolerance. not_converged:
-  /// likewise, but `max_faces` ended the search before.
+  /// likewise, but `max_faces` or `max_comparisons` ended the search before.
   Status status = Status::exact;
   double distance = 0;  ///< the two are no farther apart than this; for a no an upper bound too
   int level = 0;        ///< how often the cage was refined to know it

@@ -51,6 +51,7 @@ struct ReportedPair {
   Relation relation;
   std::vector<ReportedFacePair> face_pairs;  ///< ascending by (face_a, face_b); filled when the answer has contacts
   std::optional<Penetration> penetration;    ///< as in PairAnswer
+  DepthEnd depth_end = DepthEnd::precise;
   std::optional<Manifold> manifold;
   std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
@@ -84,6 +85,7 @@ struct ReportOptions {
   bool penetration = false;
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};
+  DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
 };
 
 /// Throws Error where touching is to be ignored and a clearance is asked for: a pair that touches is nearer than any.
@@ -105,6 +107,8 @@ struct NamedReport {
 [[nodiscard]] std::string name_of(Containment containment);
 /// "none", "point", "segment", "polygon".
 [[nodiscard]] std::string name_of(IntersectionKind kind);
+/// "precise", "exhausted", "out of time".
+[[nodiscard]] std::string name_of(DepthEnd end);
 /// "exact", "undecided", "not_converged".
 [[nodiscard]] std::string name_of(Status status);
 
@@ -257,6 +261,7 @@ struct PosesReport {
   std::vector<Relation> relations;
   std::vector<ContactCount> counts;                 ///< none when faces were not asked for
   std::vector<Penetration> penetrations;            ///< none when not asked for
+  std::vector<DepthEnd> depth_ends;                 ///< why their brackets are no narrower
   std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
   Touching touching = Touching::count;
   std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< of the first queries, by `with_face_pairs`: for pages

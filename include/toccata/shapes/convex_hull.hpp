@@ -90,7 +90,7 @@ class ConvexHull {
 /// do no harm, and the order does not show. Throws Error when the half-spaces have no point in common, naming at most
 /// four that have none; when what they have in common goes on without end, telling a direction; when it is flat, naming
 /// in which planes it lies; when it is flat only by rounding; and when it takes more than so many comparisons of
-/// vertices with planes and with each other.
+/// vertices with planes and with each other in all, with those that find the four.
 ///
 /// Time grows with half-spaces times vertices (3,000 about a ball: some two seconds), memory with half-spaces and
 /// vertices. The usual limit is reached after ten to thirty seconds, by some 8,000 about a ball.

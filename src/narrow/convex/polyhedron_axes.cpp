@@ -16,6 +16,12 @@
 // are left out. A pair that is not left out by mistake does no harm: the reach along any direction is no less than the
 // least.
 //
+// Faces' normals are known to 2^-34, and cannot be the mistake. But vertices that lie beside turn an edge, and one that
+// is short by any angle, so that arcs may seem not to cross that do, near an end of one of them; say, of the arc of B's
+// edge, at the normal L of a face. On the way there from where they cross, A's farthest vertex changes only along edges
+// that are left out like this one, from p to q, and the reach becomes more by L · (q - p) at most. As world vertices
+// have it this is negative: so it is twice `bent` at most, and for that the least reach is lowered.
+//
 // A rounded normal is off by an angle (expanding_polytope.cpp has the bound); the reach along it is then off by that
 // angle times the extent of D. Of nearly parallel edges the angle is large. Then the pair may be left out, for a small
 // price: along the arc of A's edge, the reach is that of a polygon, D' seen along the edge. B's edge is one of its
@@ -142,12 +148,14 @@ bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const double image = seen + 0x1p-48 * body_.extent() + 4 * bent_;
   const double angle = length > 0 ? angle_error(e.along, f.along, length) : infinity;
   if (!(2 * angle * body_.extent() > image)) {
-    const bool outwards = dot(n, e.left + e.right) >= 0;
-    const Vec3 axis = ((outwards ? 1 : -1) / length) * n;
+    const double side = dot(n, e.left + e.right);
+    // What the product and the normals are off by may turn the axis over only where the side is next to none.
+    const bool is_side_sure = e.is_arc && std::fabs(side) > (2 * angle + 0x1p-32) * length;
+    const Vec3 axis = ((side >= 0 ? 1 : -1) / length) * n;
     const double reach = dot(axis, body_.point(e.vertex, f.vertex).value);
     const bool may_be_less = reach - (3 * angle + 0x1p-46) * body_.extent() < least_.upper;
     if (may_be_less && !try_axis(axis, angle, &e, &f)) return false;
-    return e.is_arc || try_axis(-axis, angle, &e, &f);
+    return is_side_sure || try_axis(-axis, angle, &e, &f);
   }
   loss += image;
   return true;
@@ -193,8 +201,9 @@ PolyhedronAxes::Least PolyhedronAxes::least(const Vec3& first_axis) {
     return least_;
   if (!try_faces(a_, 1) || !try_faces(b_, -1) || !try_edges()) return least_;
   settle_edges();
-  // Where no axis was left, nothing is known.
-  least_.lower = least_.lower < infinity ? least_.lower - bent_ : -infinity;
+  // The least reach of D lies below that of D', a reach that was taken of D above that of D', and an edge left out
+  // between. Where no axis was left, nothing is known.
+  least_.lower = least_.lower < infinity ? least_.lower - 4 * bent_ : -infinity;
   return least_;
 }
 

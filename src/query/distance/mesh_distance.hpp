@@ -33,8 +33,8 @@ namespace toccata {
 [[nodiscard]] std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b,
                                                     const WantedDistance& wanted, SearchScratch& scratch);
 
-/// Of surfaces that meet: at the least pair of triangles that do.
-[[nodiscard]] Distance at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
+/// Of surfaces that meet: at a pair of triangles that do, always the same.
+[[nodiscard]] std::optional<Distance> at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
 
 /// A connected part of one mesh that lies within the other, a solid: its first triangle.
 struct PartInside {

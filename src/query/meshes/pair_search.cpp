@@ -95,6 +95,12 @@ std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b) {
   return std::move(scratch.contacts);
 }
 
+std::optional<ItemPair> some_surface_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  FirstIntersection first(a, b, scratch.main);
+  run(a, b, small_batch, scratch, first);
+  return first.found;
+}
+
 std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
   LeastIntersection least(a, b, scratch.main);
   run(a, b, WideWalk::largest_batch, scratch, least);

@@ -27,6 +27,10 @@ void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratc
                                                         int threads = own_thread);
 [[nodiscard]] std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b);
 
+/// The two triangles of one of them: the first that is found, always the same, at the cost of `surfaces_meet`.
+[[nodiscard]] std::optional<ItemPair> some_surface_contact(const PosedMesh& a, const PosedMesh& b,
+                                                           SearchScratch& scratch);
+
 /// The least of them.
 [[nodiscard]] std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b,
                                                            SearchScratch& scratch);

@@ -140,6 +140,21 @@ class AnyIntersection final : public PairVisitor {
   }
 };
 
+/// The first pair of two meshes that is found to meet. Whether plain arithmetic or exact told so does not show in it.
+class FirstIntersection final : public PairVisitor {
+ public:
+  FirstIntersection(const PosedMesh& a, const PosedMesh& b, SearchPart& part)
+      : PairVisitor(a, b, part, OfTwoMeshes::one_mesh) {}
+  bool visit(std::span<const ItemPair> pairs) override {
+    return each_not_apart(pairs, [&](const TrianglePairBlock& block, std::size_t lane, const ItemPair& pair) {
+      if (lane_meets<OfTwoMeshes>(block, lane)) found = pair;
+      return !found;
+    });
+  }
+
+  std::optional<ItemPair> found;
+};
+
 /// The least pair of two meshes that meets.
 class LeastIntersection final : public PairVisitor {
  public:

@@ -6,6 +6,7 @@
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
+#include "math/world_vertex.hpp"
 #include "query/meshes/cull_bounds.hpp"
 #include "query/meshes/wide_cull.hpp"
 #include "trees/prism_directions.hpp"
@@ -137,6 +138,20 @@ void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef
   if (!overlap(mesh.box(), region)) return;
   walk_probe(mesh.model().wide_bvh(), probe_of(mesh, region),
              [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
+}
+
+void visit_world_triangles(const PosedMesh& mesh, const Aabb& region, FunctionRef<void(const MeshTriangle&)> visit) {
+  if (!overlap(mesh.box(), region)) return;
+  const std::span<const Vec3> vertices = mesh.model().mesh().vertices();
+  const auto triangles = mesh.model().mesh().triangles();
+  walk_probe(mesh.model().wide_bvh(), probe_of(mesh, region), [&](Index number) {
+    const auto& corner = triangles[number];
+    const auto place = [&](Index i) { return world_vertex(mesh.pose(), vertices[corner[i]]); };
+    const Triangle corners{{place(0), place(1), place(2)}};
+    const Aabb box = box_of(corners);
+    if (overlap(box, region)) visit({number, corners, box});
+    return true;
+  });
 }
 
 }  // namespace toccata

@@ -16,6 +16,16 @@ namespace toccata {
 /// the region may be infinite along one axis: the ray from p along +x is {p, {∞, p.y, p.z}}.
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit);
 
+/// A triangle in the world, with its box.
+struct MeshTriangle {
+  Index number = 0;
+  Triangle corners{};
+  Aabb box;
+};
+
+/// The same, each with its corners; to the end.
+void visit_world_triangles(const PosedMesh& mesh, const Aabb& region, FunctionRef<void(const MeshTriangle&)> visit);
+
 /// Calls `visit(triangle)` for all triangles that meet the half-space, and for such as the tree cannot tell from these,
 /// in the same sense.
 void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit);

@@ -1,7 +1,12 @@
 #include "toccata/query/penetration.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "query/ask.hpp"
 #include "query/penetration/solid_penetration.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
 namespace toccata {
@@ -31,11 +36,20 @@ struct AskDepth {
 };
 
 /// The table was asked before.
-Penetration penetration_of(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
-                           Workspace& workspace) {
-  if (is_one_shape(a) && is_one_shape(b))
-    return std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
-  return penetration_of_solids(a, b, query, models, workspace);
+DepthBracket depth_of(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
+                      const DepthOptions& options, Workspace& workspace) {
+  if (!is_one_shape(a) || !is_one_shape(b)) return depth_of_solids(a, b, query, models, options, workspace);
+  return {std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape)};
+}
+
+void require_usable(const DepthOptions& options) {
+  if (!(options.precision > 0) || !std::isfinite(options.precision))
+    throw Error(
+        fmt::format("penetration: the precision is {}; give a number above 0, 0.1 for a bracket that is 10 % wide",
+                    options.precision));
+  if (!(options.time_limit > 0))
+    throw Error(fmt::format("penetration: the time limit is {}; give seconds above 0, or infinity for none",
+                            options.time_limit));
 }
 
 }  // namespace
@@ -46,16 +60,28 @@ Penetration penetration(const Model& a, const Model& b, const PairQuery& query) 
 }
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
-  return penetration_of(a, b, query, PosedModelPair(a, b, query, workspace.scratch()), workspace);
+  return depth_bracket(a, b, query, {}, workspace).penetration;
 }
 
-std::optional<Penetration> penetration_where_defined(const Model& a, const Model& b, const PairQuery& query,
-                                                     const Relation& relation, Workspace& workspace) {
+DepthBracket depth_bracket(const Model& a, const Model& b, const PairQuery& query, const DepthOptions& options) {
+  Workspace workspace;
+  return depth_bracket(a, b, query, options, workspace);
+}
+
+DepthBracket depth_bracket(const Model& a, const Model& b, const PairQuery& query, const DepthOptions& options,
+                           Workspace& workspace) {
+  require_usable(options);
+  require_answered(ShapeQuestion::penetration, kind_of(a.shape()), kind_of(b.shape()));
+  return depth_of(a, b, query, PosedModelPair(a, b, query, workspace.scratch()), options, workspace);
+}
+
+std::optional<DepthBracket> depth_where_defined(const Model& a, const Model& b, const PairQuery& query,
+                                                const Relation& relation, const DepthOptions& options,
+                                                Workspace& workspace) {
   if (!relation.a_solid || !relation.b_solid || !is_defined(ShapeQuestion::penetration, a, b)) return std::nullopt;
   const PosedModelPair models(a, b, query, workspace.scratch());
   if (!may_be_parted(models.a, models.b)) return std::nullopt;
-  return penetration_of(a, b, query, models, workspace);
+  return depth_of(a, b, query, models, options, workspace);
 }
 
 }  // namespace toccata

@@ -9,11 +9,9 @@
 namespace toccata {
 namespace {
 
-constexpr double good_ratio = 1.02;  // at which the search ends
 constexpr std::size_t first_seeds = 8, more_seeds = 3;
 constexpr std::size_t most_cells = 6000;
-constexpr double finest_share = 0.04;  // half-edge of a cell, of its way from no translation
-constexpr double least_extent = 0x1p-450, greatest_extent = 0x1p450;  // squares of others leave the doubles
+constexpr double finest_share = 0.04;   // half-edge of a cell, of its way from no translation
 constexpr double first_stretch = 1.06;  // beyond the way out of two bodies, where other bodies are in the way
 
 /// Nearest first; of equally near ones the order does not depend on how they came about.
@@ -52,14 +50,13 @@ Vec3 unit_along(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 }  // namespace
 
-SeparatingSearch::SeparatingSearch(SolidBody& a, SolidBody& b, SeparatingQuestions questions)
-    : a_(a), b_(b), questions_(std::move(questions)), extent_(a.extent() + b.extent()), cover_(extent_) {}
+SeparatingSearch::SeparatingSearch(SolidBody& a, SolidBody& b, const SeparatingQuestions& questions,
+                                   const DepthLimit& limit)
+    : a_(a), b_(b), questions_(questions), limit_(limit), extent_(a.extent() + b.extent()), cover_(extent_) {}
 
 bool SeparatingSearch::parted(const Vec3& move) const {
   return questions_.distance(move) > slack(std::sqrt(dot(move, move)));
 }
-
-bool SeparatingSearch::good_enough() const { return best_.upper <= good_ratio * best_.lower; }
 
 bool SeparatingSearch::try_translation(const Vec3& direction, double length) {
   if (!(length < best_.upper) || !parted(length * direction)) return false;
@@ -87,7 +84,7 @@ void SeparatingSearch::shorten(int steps) {
 /// Looks for a shorter way in directions around the best one.
 void SeparatingSearch::turn() {
   constexpr double least_gain = 0.99, widest = 0.5, narrowest = 0.02;
-  for (double angle = widest; angle > narrowest && !good_enough(); angle /= 2) {
+  for (double angle = widest; angle > narrowest && !is_done(); angle /= 2) {
     const Vec3 along = best_.direction;
     const Vec3 side = unit_along(cross(along, std::abs(along.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 other = cross(along, side);
@@ -116,7 +113,7 @@ std::size_t SeparatingSearch::add_parts(const Vec3& move, std::size_t most) {
       if (pair.a == nullptr || pair.b == nullptr) continue;
       ++added;
       add(pair);
-      if (good_enough()) return added;
+      if (is_done()) return added;
     }
   return added;
 }
@@ -133,7 +130,7 @@ void SeparatingSearch::cover() {
   TranslationCells cells;
   cells.push({{}, best_.upper});
   std::size_t rounds_left = most_rounds(a_, b_);
-  for (std::size_t looked_at = 0; looked_at < most_cells && !good_enough(); ++looked_at) {
+  for (std::size_t looked_at = 0; looked_at < most_cells && !is_done(); ++looked_at) {
     const TranslationCell cell = cells.top();
     const double near = cell.nearest();
     best_.lower = std::max(best_.lower, std::min(near, best_.upper));
@@ -147,24 +144,27 @@ void SeparatingSearch::cover() {
   }
 }
 
-Penetration SeparatingSearch::answer() {
+Penetration SeparatingSearch::answer(const Penetration& known) {
   best_ = penetration(a_.outer(), b_.outer());
   // The hulls part after it, in exact arithmetic; for the world doubles a little more.
   for (double more = slack(best_.upper) + least_step; !parted(best_.upper * best_.direction); more *= 2)
     best_.upper += more;
-  best_.lower = 0;
-  best_.status = Status::not_converged;
+  of_pairs_ = known.lower;
+  best_.lower = std::min(known.lower, best_.upper);
+  if (known.upper < best_.upper) {
+    best_.upper = known.upper;
+    best_.direction = known.direction;
+  }
   if (!(extent_ > least_extent) || !(extent_ < greatest_extent)) return best_;
-  reach_ = 4 * best_.upper;
+  reach_ = 2 * best_.upper;  // what is farther off hardly bounds a way out; with twice that brackets were the same
   const std::vector<const InnerPart*> parts_of_b = b_.convex_parts();
   for (const InnerPart* a : a_.convex_parts())
     for (const InnerPart* b : parts_of_b) add({a, b});
-  add_parts({}, first_seeds);
-  if (!good_enough()) shorten(10);
-  if (!good_enough()) cover();
-  if (!good_enough()) turn();
-  shorten(24);
-  best_.status = good_enough() || best_.upper <= 1.5 * best_.lower ? Status::exact : Status::not_converged;
+  if (!limit_.is_over()) add_parts({}, first_seeds);
+  if (!is_done()) shorten(10);
+  if (!is_done()) cover();
+  if (!is_done()) turn();
+  if (!limit_.is_over()) shorten(24);
   return best_;
 }
 

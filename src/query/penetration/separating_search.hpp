@@ -1,39 +1,23 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
+#include "query/penetration/depth_search.hpp"
 #include "query/penetration/separating_cover.hpp"
-#include "query/penetration/separating_seeds.hpp"
-#include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
-
-/// A way that is made longer to part two solids grows by at least that, however small they are.
-inline constexpr double least_step = 0x1p-1020;
-
-/// What is asked of two solids whose convex bodies are searched.
-struct SeparatingQuestions {
-  /// A lower bound of the distance of A from B, moved; 0 when they meet.
-  std::function<double(const Vec3& move)> distance;
-  /// Some of the points at which their surfaces meet.
-  std::function<std::vector<SurfaceIntersection>(const Vec3& move)> intersections;
-};
 
 /// A bracket of the penetration depth of two overlapping solids: from below by convex bodies within, from above by a
 /// translation after which they are apart (docs/methods/penetration.md). Without the points.
 class SeparatingSearch {
  public:
-  SeparatingSearch(SolidBody& a, SolidBody& b, SeparatingQuestions questions);
+  SeparatingSearch(SolidBody& a, SolidBody& b, const SeparatingQuestions& questions, const DepthLimit& limit);
 
-  [[nodiscard]] Penetration answer();
+  /// Begins with what is known: a depth from below, and a way out unless `upper` is infinite.
+  [[nodiscard]] Penetration answer(const Penetration& known);
 
  private:
-  using Seeds = std::vector<SeparatingSeed>;
-
-  [[nodiscard]] double slack(double length) const { return 0x1p-48 * (extent_ + length); }
+  [[nodiscard]] double slack(double length) const { return separation_slack * (extent_ + length); }
   [[nodiscard]] bool parted(const Vec3& move) const;
-  [[nodiscard]] bool good_enough() const;
+  [[nodiscard]] bool is_done() const { return limit_.is_narrow(best_) || limit_.is_over(); }
   bool try_translation(const Vec3& direction, double length);
   void try_along(const Vec3& direction, double length);
   void shorten(int steps);
@@ -45,7 +29,8 @@ class SeparatingSearch {
 
   SolidBody& a_;
   SolidBody& b_;
-  SeparatingQuestions questions_;
+  const SeparatingQuestions& questions_;
+  const DepthLimit& limit_;
   double extent_;
   double reach_ = 0;
   SeparatingCover cover_;

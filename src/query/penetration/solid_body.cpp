@@ -56,12 +56,6 @@ bool is_convex_solid(const PosedMesh& mesh) {
   }
 }
 
-bool holds(const PosedShape& shape, const Vec3& point) {
-  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return overlap(*convex, PosedPolytope(Point(point)));
-  if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return overlap(*quadric, PosedPolytope(Point(point)));
-  return is_interior(point, std::get<PosedTriangles>(shape).mesh);
-}
-
 std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
   std::vector<char> used(mesh.model().mesh().vertices().size());
   for (const auto& triangle : mesh.model().mesh().triangles())
@@ -74,18 +68,46 @@ std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
 
 }  // namespace
 
+bool holds(const PosedShape& shape, const Vec3& point) {
+  if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return overlap(*convex, PosedPolytope(Point(point)));
+  if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return overlap(*quadric, PosedPolytope(Point(point)));
+  return is_interior(point, std::get<PosedTriangles>(shape).mesh);
+}
+
+double extent_of(const PosedModel& posed) {
+  Aabb box;
+  double extent = 0;
+  for (const PosedPart& part : posed.parts) {
+    box = merge(box, world_box(part.shape));
+    extent = std::max(extent, largest_magnitude(offset_of(part.shape)));
+  }
+  return extent + (largest_magnitude(box.lower) + largest_magnitude(box.upper));
+}
+
+std::optional<ConvexHull> drawn_within(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& towards,
+                                       double least_share) {
+  for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
+    if (1 - less < least_share) break;
+    ConvexHull smaller = shrunk(hull, towards, less);
+    if (smaller.dimension() == 3 && lies_within(PosedPolytope(smaller), mesh)) return smaller;
+  }
+  return std::nullopt;
+}
+
+std::optional<ConvexHull> grow_within(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut) {
+  if (!is_interior(point, mesh)) return std::nullopt;
+  const std::optional<ConvexHull> grown = grow_convex(mesh, point, reach, cut);
+  return grown ? drawn_within(mesh, *grown, point, 0) : std::nullopt;
+}
+
 Penetration depth_between(const InnerPart& a, const InnerPart& b) {
   if (a.quadric && b.quadric) return penetration(*a.quadric, *b.quadric);
   if (a.quadric) return penetration(*a.quadric, b.shape);
   return b.quadric ? penetration(a.shape, *b.quadric) : penetration(a.shape, b.shape);
 }
 
-SolidBody::SolidBody(const PosedModel& posed) : posed_(posed) {
-  for (const PosedPart& part : posed.parts) {
-    box_ = merge(box_, world_box(part.shape));
-    extent_ = std::max(extent_, largest_magnitude(offset_of(part.shape)));
-  }
-  extent_ += largest_magnitude(box_.lower) + largest_magnitude(box_.upper);
+SolidBody::SolidBody(const PosedModel& posed) : posed_(posed), extent_(extent_of(posed)) {
+  for (const PosedPart& part : posed.parts) box_ = merge(box_, world_box(part.shape));
   find_whole();
   find_inner_parts();
 }
@@ -128,7 +150,7 @@ void SolidBody::find_whole() {
     const bool is_large = vertices.size() > many_vertices;
     exactly_convex_ = (!is_large || 2 * std::size_t{hull.vertex_count()} >= vertices.size()) && is_convex_solid(mesh);
     if (!exactly_convex_ && !is_large && hull.dimension() == 3)
-      whole_ = keep(mesh, hull, mean_vertex(hull), 1 - 0x1p-36);
+      whole_ = keep(drawn_within(mesh, hull, mean_vertex(hull), 1 - 0x1p-36));
   }
   if (exactly_convex_) whole_ = &*outer_;
 }
@@ -138,13 +160,8 @@ bool SolidBody::contains(const Vec3& point) const {
                      [&](const PosedPart& part) { return holds(part.shape, point); });
 }
 
-const InnerPart* SolidBody::keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share) {
-  for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
-    if (1 - less < least_share) break;
-    const ConvexHull smaller = shrunk(hull, point, less);
-    if (smaller.dimension() == 3 && lies_within(PosedPolytope(smaller), mesh)) return &kept_.emplace_back(smaller);
-  }
-  return nullptr;
+const InnerPart* SolidBody::keep(const std::optional<ConvexHull>& hull) {
+  return hull ? &kept_.emplace_back(*hull) : nullptr;
 }
 
 std::vector<const InnerPart*> SolidBody::convex_parts() {
@@ -160,9 +177,7 @@ const InnerPart* SolidBody::grow(const Vec3& point, double reach, CutBy cut) {
     if (const InnerPart* inner = within(part); inner != nullptr && holds(part.shape, point)) return inner;
     if (!std::holds_alternative<PosedTriangles>(part.shape)) continue;
     const PosedMesh& mesh = std::get<PosedTriangles>(part.shape).mesh;
-    if (!is_interior(point, mesh)) continue;
-    const std::optional<ConvexHull> grown = grow_convex(mesh, point, reach, cut);
-    if (const InnerPart* kept = grown ? keep(mesh, *grown, point, 0) : nullptr) return kept;
+    if (const InnerPart* kept = keep(grow_within(mesh, point, reach, cut))) return kept;
   }
   return nullptr;
 }

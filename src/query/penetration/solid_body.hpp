@@ -26,6 +26,21 @@ struct InnerPart {
 /// How deep the two overlap; of quadric parts, these and not the hulls within them.
 [[nodiscard]] Penetration depth_between(const InnerPart& a, const InnerPart& b);
 
+/// Greater than any coordinate that is added up on the way to a world vertex of the model.
+[[nodiscard]] double extent_of(const PosedModel& posed);
+
+/// The hull, drawn together towards the point just so far that it is proved to lie within the solid mesh; none where it
+/// keeps less than that share of its size.
+[[nodiscard]] std::optional<ConvexHull> drawn_within(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& towards,
+                                                     double least_share);
+
+/// A convex body around the point, proved to lie within the solid mesh; none where the point is not inside, or none can
+/// be proved.
+[[nodiscard]] std::optional<ConvexHull> grow_within(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut);
+
+/// The shape holds the point in its interior, or on its boundary where it is convex.
+[[nodiscard]] bool holds(const PosedShape& shape, const Vec3& point);
+
 /// A bounded solid as the union of posed parts, seen by convex bodies: one around it and as many within as were asked
 /// for. It refers to the posed model, which has to outlive it.
 class SolidBody {
@@ -65,7 +80,7 @@ class SolidBody {
   [[nodiscard]] double extent() const { return extent_; }
 
  private:
-  const InnerPart* keep(const PosedMesh& mesh, const ConvexHull& hull, const Vec3& point, double least_share);
+  const InnerPart* keep(const std::optional<ConvexHull>& hull);
   void find_whole();
   void find_inner_parts();
 

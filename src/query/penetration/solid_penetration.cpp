@@ -6,7 +6,9 @@
 #include <functional>
 #include <string_view>
 
+#include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
+#include "query/penetration/local_depth.hpp"
 #include "query/penetration/separating_search.hpp"
 #include "query/penetration/solid_body.hpp"
 #include "query/relation/relation_posed.hpp"
@@ -90,15 +92,16 @@ Vec3 normal_at(const Model& model, const Pose& pose, Index element) {
   return unit_or_zero(cross(t[1] - t[0], t[2] - t[0]));
 }
 
-/// Those of a mesh and a quadric that lies as told.
-std::vector<SurfaceIntersection> intersections_with_quadric(const Model& a, const PosedQuadric& quadric,
-                                                            const PairQuery& query, std::span<const Contact> found) {
+/// Those of a mesh and a shape that lies as told.
+template <class Shape>
+std::vector<SurfaceIntersection> intersections_with_shape(const Model& a, const Shape& shape, const PairQuery& query,
+                                                          std::span<const Contact> found) {
   constexpr std::size_t most = 12;
   std::vector<SurfaceIntersection> intersections;
   const std::size_t stride = 1 + found.size() / most;
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
     const Index element = found[i].triangle_a;
-    const Distance at = distance(PosedPolytope(world_triangle(a, query.pose_a, element)), quadric);
+    const Distance at = distance(PosedPolytope(world_triangle(a, query.pose_a, element)), shape);
     intersections.push_back({at.on_a, normal_at(a, query.pose_a, element), {}});
   }
   return intersections;
@@ -112,7 +115,7 @@ std::vector<SurfaceIntersection> some_intersections(const Model& a, const Model&
   if (!a.has_mesh() || kind_of(b.shape()) == ShapeKind::compound) return intersections;
   const PosedShape other = pose_shape(b, query.pose_b, query.solid_b, "model b");
   if (const auto* quadric = std::get_if<PosedQuadric>(&other))
-    return intersections_with_quadric(a, *quadric, query, contacts(a, b, query, workspace));
+    return intersections_with_shape(a, *quadric, query, contacts(a, b, query, workspace));
   if (!b.has_mesh()) return intersections;
   const auto found = contacts(a, b, query, workspace);
   const std::size_t stride = 1 + found.size() / most;
@@ -127,6 +130,17 @@ std::vector<SurfaceIntersection> some_intersections(const Model& a, const Model&
                              normal_at(b, query.pose_b, contact.triangle_b)});
   }
   return intersections;
+}
+
+/// The same, and those of a mesh and a convex shape.
+std::vector<SurfaceIntersection> places_of_contact(const Model& a, const Model& b, const PairQuery& query,
+                                                   Workspace& workspace) {
+  if (!a.has_mesh() || b.has_mesh() || kind_of(b.shape()) == ShapeKind::compound)
+    return some_intersections(a, b, query, workspace);
+  const PosedShape other = pose_shape(b, query.pose_b, query.solid_b, "model b");
+  const auto* convex = std::get_if<PosedPolytope>(&other);
+  if (convex == nullptr) return some_intersections(a, b, query, workspace);
+  return intersections_with_shape(a, *convex, query, contacts(a, b, query, workspace));
 }
 
 Penetration depth_of_part(const PosedPart& part, const PosedHalfSpace& b) {
@@ -168,38 +182,108 @@ Penetration without_overlap(const Model& a, const Model& b, const PairQuery& que
   return {0, 0, across == Vec3{} ? Vec3{0, 0, 1} : across, between.on_a, between.on_b, status};
 }
 
-Penetration of_bodies(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
-                      Workspace& workspace) {
-  SolidBody body_a(models.a), body_b(models.b);
-  const InnerPart *one_a = body_a.as_one(), *one_b = body_b.as_one();
-  if (Penetration depth = one_a && one_b ? depth_between(*one_a, *one_b) : Penetration{}; depth.upper > 0) {
-    if (one_a->quadric || one_b->quadric)
-      depth.status = depth.upper <= 1.5 * depth.lower ? Status::exact : Status::not_converged;
-    part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
-      return relation(a, b, moved(query, move), workspace).kind == RelationKind::overlapping;
-    });
-    return depth;
-  }
-  SeparatingSearch search(body_a, body_b,
-                          {[&](const Vec3& move) {
-                             // What meets needs no distance, for which all triangles that meet a shape are looked at.
-                             const PairQuery there = moved(query, move);
-                             return overlap(a, b, there, workspace) ? 0 : distance(a, b, there, workspace).lower;
-                           },
-                           [&](const Vec3& move) { return some_intersections(a, b, moved(query, move), workspace); }});
-  Penetration depth = search.answer();
-  add_points(depth, distance(a, b, moved(query, depth.upper * depth.direction), workspace));
-  return depth;
+std::size_t triangle_count(const PosedModel& model) {
+  std::size_t count = 0;
+  for (const PosedPart& part : model.parts)
+    if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
+      count += triangles->mesh.model().element_count();
+  return count;
 }
 
-Penetration in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
-                     Workspace& workspace) {
+/// The narrower of two brackets at each end.
+void combine(Penetration& bracket, const Penetration& other) {
+  bracket.lower = std::min(std::max(bracket.lower, other.lower), bracket.upper);
+  if (!(other.upper < bracket.upper)) return;
+  bracket.upper = other.upper;
+  bracket.direction = other.direction;
+}
+
+/// The depth of two bounded solids that overlap.
+class BodyDepth {
+ public:
+  BodyDepth(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models, Workspace& workspace,
+            const DepthOptions& options)
+      : a_(a),
+        b_(b),
+        query_(query),
+        models_(models),
+        workspace_(workspace),
+        limit_(options),
+        is_local_first_(options.precision > DepthOptions{}.precision),
+        questions_{[this](const Vec3& move) { return distance_after(move); },
+                   [this](const Vec3& move) { return some_intersections(a_, b_, moved(query_, move), workspace_); }} {}
+  // The questions refer to it.
+  BodyDepth(const BodyDepth&) = delete;
+  BodyDepth& operator=(const BodyDepth&) = delete;
+
+  [[nodiscard]] DepthBracket answer() {
+    // Whether what has few triangles is convex is soon told, and then its depth is known to the last digits.
+    constexpr std::size_t few_triangles = 1000;
+    const bool has_few = triangle_count(models_.a) + triangle_count(models_.b) < few_triangles;
+    if (has_few || !is_local_first_ || !look_at_the_place()) search();
+    bracket_.status = bracket_.upper <= 1.5 * bracket_.lower ? Status::exact : Status::not_converged;
+    if (!has_points_)
+      add_points(bracket_, distance(a_, b_, moved(query_, bracket_.upper * bracket_.direction), workspace_));
+    return {bracket_, limit_.end_of(bracket_)};
+  }
+
+ private:
+  /// What meets needs no distance, for which all triangles that meet a shape are looked at.
+  [[nodiscard]] double distance_after(const Vec3& move) const {
+    const PairQuery there = moved(query_, move);
+    return overlap(a_, b_, there, workspace_) ? 0 : distance(a_, b_, there, workspace_).lower;
+  }
+
+  /// Says whether that is enough.
+  bool look_at_the_place() {
+    was_looked_at_ = true;
+    const auto meeting = places_of_contact(a_, b_, query_, workspace_);
+    combine(bracket_, local_depth(a_, b_, query_, models_, questions_, meeting, limit_, workspace_.scratch()));
+    return limit_.is_narrow(bracket_);
+  }
+
+  void search() {
+    SolidBody body_a(models_.a), body_b(models_.b);
+    if (is_known_as_one(body_a, body_b)) return;
+    if (is_local_first_ && !was_looked_at_ && look_at_the_place()) return;
+    bracket_ = SeparatingSearch(body_a, body_b, questions_, limit_).answer(bracket_);
+    if (!was_looked_at_ && !limit_.is_narrow(bracket_) && !limit_.is_over()) look_at_the_place();
+  }
+
+  /// Of two convex solids.
+  bool is_known_as_one(const SolidBody& body_a, const SolidBody& body_b) {
+    const InnerPart *one_a = body_a.as_one(), *one_b = body_b.as_one();
+    if (one_a == nullptr || one_b == nullptr) return false;
+    Penetration depth = depth_between(*one_a, *one_b);
+    if (!(depth.upper > 0)) return false;
+    part_in_doubles(depth, body_a, body_b, [&](const Vec3& move) {
+      return relation(a_, b_, moved(query_, move), workspace_).kind == RelationKind::overlapping;
+    });
+    bracket_ = depth;
+    return has_points_ = true;
+  }
+
+  const Model& a_;
+  const Model& b_;
+  const PairQuery& query_;
+  const PosedModelPair& models_;
+  Workspace& workspace_;
+  DepthLimit limit_;
+  bool is_local_first_;
+  SeparatingQuestions questions_;
+  Penetration bracket_{.upper = infinity};
+  bool was_looked_at_ = false;
+  bool has_points_ = false;
+};
+
+DepthBracket in_order(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
+                      const DepthOptions& options, Workspace& workspace) {
   const Relation lie = relation_of(models.a, models.b, workspace.scratch());
-  if (lie.kind != RelationKind::overlapping) return without_overlap(a, b, query, workspace, lie.status);
-  if (is_half_space(models.b)) return of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape));
+  if (lie.kind != RelationKind::overlapping) return {without_overlap(a, b, query, workspace, lie.status)};
+  if (is_half_space(models.b)) return {of_half_space(models.a, std::get<PosedHalfSpace>(models.b.parts[0].shape))};
   if (is_half_space(models.a))
-    return flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)));
-  return of_bodies(a, b, query, models, workspace);
+    return {flipped(of_half_space(models.b, std::get<PosedHalfSpace>(models.a.parts[0].shape)))};
+  return BodyDepth(a, b, query, models, workspace, options).answer();
 }
 
 }  // namespace
@@ -208,18 +292,20 @@ bool may_be_parted(const PosedModel& a, const PosedModel& b) {
   return !has_parts_without_end(a) && !has_parts_without_end(b) && !(is_half_space(a) && is_half_space(b));
 }
 
-Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
-                                  Workspace& workspace) {
+DepthBracket depth_of_solids(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
+                             const DepthOptions& options, Workspace& workspace) {
   require_solid(a, models.a, "model a");
   require_solid(b, models.b, "model b");
   if (!may_be_parted(models.a, models.b))
     throw Error(
         "penetration: a compound has a half-space among its parts, which has no end, so that no translation parts it "
         "from another for sure; ask about its parts");
-  if (is_canonical_order(models.a, models.b)) return in_order(a, b, query, models, workspace);
+  if (is_canonical_order(models.a, models.b)) return in_order(a, b, query, models, options, workspace);
   const PairQuery other{query.pose_b, query.pose_a, query.solid_b, query.solid_a, query.threads};
   const PosedModelPair exchanged(b, a, other, workspace.scratch());
-  return flipped(in_order(b, a, other, exchanged, workspace));
+  DepthBracket found = in_order(b, a, other, exchanged, options, workspace);
+  found.penetration = flipped(found.penetration);
+  return found;
 }
 
 }  // namespace toccata

@@ -13,13 +13,14 @@ namespace toccata {
 
 /// Of two models, posed, some part of which is a mesh, or of which there is more than one part. `models` are a and b.
 /// Throws Error when one is taken as a surface or has a half-space among several parts.
-[[nodiscard]] Penetration penetration_of_solids(const Model& a, const Model& b, const PairQuery& query,
-                                                const PosedModelPair& models, Workspace& workspace);
+[[nodiscard]] DepthBracket depth_of_solids(const Model& a, const Model& b, const PairQuery& query,
+                                           const PosedModelPair& models, const DepthOptions& options,
+                                           Workspace& workspace);
 
 /// What is told of two models in contact that lie so: nothing unless both are solids, the table of pairs.hpp defines
 /// it, and they may be parted.
-[[nodiscard]] std::optional<Penetration> penetration_where_defined(const Model& a, const Model& b,
-                                                                   const PairQuery& query, const Relation& relation,
-                                                                   Workspace& workspace);
+[[nodiscard]] std::optional<DepthBracket> depth_where_defined(const Model& a, const Model& b, const PairQuery& query,
+                                                              const Relation& relation, const DepthOptions& options,
+                                                              Workspace& workspace);
 
 }  // namespace toccata

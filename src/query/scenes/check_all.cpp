@@ -240,7 +240,10 @@ class Check {
     SearchScratch& scratch = workspace.scratch();
     scratch.convex = {};  // it was another pair's
     answer.manifold = manifold_where_defined(a.model, b.model, query, workspace);
-    answer.penetration = penetration_where_defined(a.model, b.model, query, answer.relation, workspace);
+    if (const auto depth = depth_where_defined(a.model, b.model, query, answer.relation, options_.depth, workspace)) {
+      answer.penetration = depth->penetration;
+      answer.depth_end = depth->end;
+    }
     if (a.model.has_mesh() && b.model.has_mesh())
       answer.regions = contact_regions(a.model, b.model, query, workspace);
     else if (!answer.manifold)

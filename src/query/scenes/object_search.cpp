@@ -44,15 +44,6 @@ bool is_settled(const std::optional<Found>& first, Index other) {
   return first && first->upper == 0 && first->object < other;
 }
 
-template <class Ask>
-auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
-  try {
-    return ask(objects.at(object));
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", objects.name_of(object), error.what()));
-  }
-}
-
 /// A shape that is asked about: where it is, and what is wrong with it, is found out once.
 class AskedShape {
  public:

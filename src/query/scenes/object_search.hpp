@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toccata/broad/box_bvh.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/query/pair_query.hpp"
 #include "toccata/query/scene_index.hpp"
@@ -19,6 +20,16 @@ struct SearchedObjects {
   FunctionRef<std::string(Index)> name_of;
   FunctionRef<bool(Index)> accepts;
 };
+
+/// What is asked about one of them, whose name an error gets.
+template <class Ask>
+auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
+  try {
+    return ask(objects.at(object));
+  } catch (const Error& error) {
+    throw Error(objects.name_of(object) + ": " + error.what());
+  }
+}
 
 [[nodiscard]] std::optional<ObjectAnswer<RayHit>> first_ray_hit(const SearchedObjects& objects, const Ray& ray);
 [[nodiscard]] std::vector<ObjectAnswer<RayHit>> all_ray_hits(const SearchedObjects& objects, const Ray& ray);

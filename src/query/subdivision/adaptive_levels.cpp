@@ -83,6 +83,7 @@ AdaptiveLevels adaptive_levels(const SubdivisionCage& cage, const RefinementOpti
       levels.refined.emplace_back(mesh.face_count(), 0);
       return levels;
     }
+    if (options.progress) options.progress(triangles_of_face * later, options.max_triangles);
     leaves += marked_count(mesh.whole) - count;
     levels.refined.push_back(std::move(chosen));
     levels.meshes.push_back(subdivided(mesh, levels.refined.back()));

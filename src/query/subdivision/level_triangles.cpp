@@ -75,11 +75,17 @@ void LevelTriangles::add_fan(std::size_t level, Index face, double distance) {
         {{middle, border_[i].point, border_[(i + 1) % border_.size()].point}, mesh.cage_face[face], distance});
 }
 
-/// Along its shorter diagonal.
-void LevelTriangles::add_quadrangle(Index cage_face, double distance) {
+/// Along its shorter diagonal; but from a vertex of two faces, which both have the other, and would lie upon each
+/// other.
+void LevelTriangles::add_quadrangle(const LevelMesh& mesh, Index face, double distance) {
   const auto corner = [this](std::size_t i) { return border_[i % 4].point; };
   const double one = length(points_[corner(2)] - points_[corner(0)]);
-  const std::size_t begin = length(points_[corner(3)] - points_[corner(1)]) < one ? 1 : 0;
+  std::size_t begin = length(points_[corner(3)] - points_[corner(1)]) < one ? 1 : 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::span<const Index> sides = mesh.sides_at(mesh.face(face)[i]);
+    if (sides.size() == 2 && mesh.twin(sides[0]) != no_index && mesh.twin(sides[1]) != no_index) begin = i % 2;
+  }
+  const Index cage_face = mesh.cage_face[face];
   triangles_.push_back({{corner(begin), corner(begin + 1), corner(begin + 2)}, cage_face, distance});
   triangles_.push_back({{corner(begin), corner(begin + 2), corner(begin + 3)}, cage_face, distance});
 }
@@ -93,7 +99,7 @@ void LevelTriangles::add_leaf(std::size_t level, Index face) {
   const double slack = border_slack(mesh);
   const double distance = up_by_distances * (bound.to_limit + bound.from_triangles + moved + slack);
   if (border_.size() > mesh.corner_count(face)) return add_fan(level, face, distance);
-  if (border_.size() == 4) return add_quadrangle(mesh.cage_face[face], distance);
+  if (border_.size() == 4) return add_quadrangle(mesh, face, distance);
   triangles_.push_back({{border_[0].point, border_[1].point, border_[2].point}, mesh.cage_face[face], distance});
 }
 

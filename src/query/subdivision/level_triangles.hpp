@@ -39,7 +39,7 @@ class LevelTriangles {
   void take_border(std::size_t level, Index face);
   void add_leaf(std::size_t level, Index face);
   void add_fan(std::size_t level, Index face, double distance);
-  void add_quadrangle(Index cage_face, double distance);
+  void add_quadrangle(const LevelMesh& mesh, Index face, double distance);
 
   const AdaptiveLevels& levels_;
   std::vector<std::vector<Index>> known_;  ///< of each level's vertices, their points

@@ -50,7 +50,10 @@ std::vector<Triangle> CageSide::triangles_of(Index face) const {
 }
 
 LimitSearch::LimitSearch(const SubdivisionCage& cage, const Model& model, const LimitQuery& query, LimitGoal goal)
-    : query_(query), goal_(goal), model_(model) {
+    : query_(query),
+      goal_(goal),
+      model_(model),
+      comparisons_{std::max<std::size_t>(query.max_comparisons, 1), query.progress} {
   query_.pair.pose_a = {};
   query_.pair.solid_a = Solid::automatic;
   is_solid_ = taken_as_solid(model, query.pair.solid_b);
@@ -59,7 +62,7 @@ LimitSearch::LimitSearch(const SubdivisionCage& cage, const Model& model, const 
 
 LimitSearch::LimitSearch(const SubdivisionCage& cage, const SubdivisionCage& other, const LimitQuery& query,
                          LimitGoal goal)
-    : query_(query), goal_(goal) {
+    : query_(query), goal_(goal), comparisons_{std::max<std::size_t>(query.max_comparisons, 1), query.progress} {
   sides_.emplace_back(cage);
   sides_.emplace_back(other);
 }
@@ -67,13 +70,19 @@ LimitSearch::LimitSearch(const SubdivisionCage& cage, const SubdivisionCage& oth
 LimitFinding LimitSearch::found() {
   do {
     look_at_level();
+    if (comparisons_.are_spent()) break;  // not all of the level was looked at: what the one before proved stands
     finding_.level = sides_[0].mesh.level;
+    finding_.lower = proved_lower();
   } while (!is_enough() && refine_open_faces());
-  // Every pair of faces that is left has one of each side, so each side alone has a bound of them all.
+  finding_.lower = std::min(finding_.lower, finding_.best.upper);
+  return finding_;
+}
+
+/// Every pair of faces that is left has one of each side, so each side alone has a bound of them all.
+double LimitSearch::proved_lower() const {
   double left = 0;
   for (const CageSide& side : sides_) left = std::max(left, side.least());
-  finding_.lower = std::min({settled_, finding_.best.upper, left});
-  return finding_;
+  return std::min({settled_, finding_.best.upper, left});
 }
 
 void LimitSearch::look_at_level() {
@@ -86,7 +95,9 @@ void LimitSearch::look_at_model() {
   CageSide& side = sides_[0];
   std::vector<double> lowers(side.mesh.face_count(), infinity);
   for (Index face = 0; face < side.mesh.face_count() && !finding_.is_proved_contact; ++face) {
+    if (comparisons_.are_spent()) return;
     if (!side.mesh.whole[face]) continue;
+    comparisons_.count();
     for (const Triangle& triangle : side.triangles_of(face))
       lowers[face] = std::min(lowers[face], looked_at(triangle, face));
   }
@@ -94,7 +105,7 @@ void LimitSearch::look_at_model() {
 }
 
 void LimitSearch::look_at_both() {
-  const PairOfSides found = nearest_of_sides(sides_[0], sides_[1], finding_.best);
+  const PairOfSides found = nearest_of_sides(sides_[0], sides_[1], finding_.best, comparisons_);
   finding_.best = found.best;
   for (std::size_t i = 0; i < 2; ++i) sides_[i].keep(found.lowers[i], found.best.upper);
 }

@@ -22,6 +22,19 @@ struct LimitFinding {
   int level = 0;
 };
 
+/// How often faces are compared.
+struct FaceComparisons {
+  std::size_t most = 0;
+  Progress progress{};
+  std::size_t taken = 0;
+
+  [[nodiscard]] bool are_spent() const { return taken >= most; }
+  void count() {
+    constexpr std::size_t often = 256;
+    if (++taken % often == 0 && progress) progress(taken, most);
+  }
+};
+
 /// The faces of a cage that are still of interest at a level.
 struct CageSide {
   /// A face and the least distance that its limit may have.
@@ -49,8 +62,10 @@ struct PairOfSides {
   std::array<std::vector<double>, 2> lowers;  ///< of each face the least distance that its limit may have
 };
 
-/// `best` is the nearest so far. Faces that can only be farther need not be told apart: their lowers are infinite.
-[[nodiscard]] PairOfSides nearest_of_sides(const CageSide& first, const CageSide& second, const LimitDistance& best);
+/// `best` is the nearest so far. Faces that can only be farther need not be told apart: their lowers are infinite. When
+/// the comparisons are spent, only `best` is of use.
+[[nodiscard]] PairOfSides nearest_of_sides(const CageSide& first, const CageSide& second, const LimitDistance& best,
+                                           FaceComparisons& comparisons);
 
 /// Level by level, keeps the faces whose limit may be the nearest and refines those alone; of two cages on both sides.
 class LimitSearch {
@@ -70,6 +85,7 @@ class LimitSearch {
     double settled = 0;
   };
 
+  [[nodiscard]] double proved_lower() const;
   void look_at_level();
   void look_at_model();
   void look_at_both();
@@ -87,6 +103,7 @@ class LimitSearch {
   std::vector<CageSide> sides_;
   double settled_ = std::numeric_limits<double>::infinity();  ///< the least of faces that are not refined further
   LimitFinding finding_;
+  FaceComparisons comparisons_;
   Workspace workspace_;
 };
 

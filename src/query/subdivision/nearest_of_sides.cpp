@@ -37,14 +37,14 @@ struct FaceTree {
 /// The nearest pairs of faces, as a question that a walk asks (trees/walk.hpp).
 class FacePairs {
  public:
-  FacePairs(const CageSide& first, const CageSide& second, const LimitDistance& best)
-      : sides_{&first, &second}, trees_{FaceTree(first), FaceTree(second)} {
+  FacePairs(const CageSide& first, const CageSide& second, const LimitDistance& best, FaceComparisons& comparisons)
+      : sides_{&first, &second}, trees_{FaceTree(first), FaceTree(second)}, comparisons_(comparisons) {
     found_.best = best;
     for (std::size_t i = 0; i < 2; ++i) found_.lowers[i].assign(sides_[i]->mesh.face_count(), infinity);
   }
 
   [[nodiscard]] double bound(const Aabb& a, const Aabb& b) const { return box_gap(a, b); }
-  [[nodiscard]] double limit() const { return found_.best.upper; }
+  [[nodiscard]] double limit() const { return comparisons_.are_spent() ? -1 : found_.best.upper; }
   void visit(std::span<const ItemPair> pairs) {
     for (const ItemPair& pair : pairs) {
       const bool is_near = bound(trees_[0].boxes[pair.first], trees_[1].boxes[pair.second]) <= limit();
@@ -67,10 +67,12 @@ class FacePairs {
   std::array<const CageSide*, 2> sides_;
   std::array<FaceTree, 2> trees_;
   PairOfSides found_;
+  FaceComparisons& comparisons_;
   Workspace workspace_;
 };
 
 void FacePairs::look_at(Index a, Index b) {
+  comparisons_.count();
   const CageSide &first = *sides_[0], &second = *sides_[1];
   const double both = sum_up(first.within[a], second.within[b]);
   double lower = infinity;
@@ -127,8 +129,9 @@ double FacePairs::gap_between(Index a, Index b) const {
 
 }  // namespace
 
-PairOfSides nearest_of_sides(const CageSide& first, const CageSide& second, const LimitDistance& best) {
-  return FacePairs(first, second, best).found();
+PairOfSides nearest_of_sides(const CageSide& first, const CageSide& second, const LimitDistance& best,
+                             FaceComparisons& comparisons) {
+  return FacePairs(first, second, best, comparisons).found();
 }
 
 }  // namespace toccata

@@ -55,7 +55,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
                    {"side_unresolved", pair.relation.side_unresolved},
                    {"status", name_of(pair.relation.status)}};
   if (report.has_penetration) {
-    line["penetration"] = pair.penetration ? json_of(*pair.penetration) : io::Json();
+    line["penetration"] = pair.penetration ? json_of(*pair.penetration, pair.depth_end) : io::Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : io::Json();
     if (!pair.manifolds.empty()) line["manifolds"] = io::json_of(pair.manifolds);
     line["regions"] = io::json_of(pair.regions);
@@ -124,6 +124,7 @@ struct CheckKind {
 
   static io::Json write(const CheckQuestion& q) {
     io::Json json = {{"touching", io::touching_word(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
+    if (q.penetration) io::add_depth_options(json, q.depth);
     if (q.clearance) json["clearance"] = io::json_of_length(*q.clearance);
     for (const PairClearance& pair : q.pair_clearances)
       json["pair_clearances"].push_back(
@@ -132,11 +133,13 @@ struct CheckKind {
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "clearance", "pair_clearances"});
+    value.expect_keys(
+        {"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance", "pair_clearances"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
     q.penetration = value.flag_or("penetration", false);
+    if (q.penetration) q.depth = io::depth_options_of(value);
     if (value.has("clearance")) q.clearance = io::length_of(value.at("clearance"));
     constexpr std::size_t most = std::numeric_limits<Index>::max();
     for (const io::JsonValue& pair : value.elements("pair_clearances")) {
@@ -152,6 +155,7 @@ struct CheckKind {
     CheckOptions options;
     options.contacts = question.faces;
     options.penetration = question.penetration;
+    options.depth = question.depth;
     options.clearance = question.clearance;
     options.pair_clearances = question.pair_clearances;
     options.threads = asking.options.threads;

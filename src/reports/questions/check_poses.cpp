@@ -22,7 +22,7 @@ io::Json json_of_query(const PosesReport& report, std::size_t i) {
                    {"status", name_of(relation.status)},
                    {"contact", counts_as_contact(relation, report.touching)}};
   if (!report.counts.empty()) json["face_pairs"] = report.counts[i].face_pairs;
-  if (!report.penetrations.empty()) json["penetration"] = io::json_of(report.penetrations[i]);
+  if (!report.penetrations.empty()) json["penetration"] = io::json_of(report.penetrations[i], report.depth_ends[i]);
   if (!report.regions.empty()) json["regions"] = io::json_of(report.regions[i]);
   json["pose_a"] = report.queries[i].pose_a.numbers();
   json["pose_b"] = report.queries[i].pose_b.numbers();
@@ -46,14 +46,17 @@ struct CheckPosesKind {
 
   static io::Json write(const CheckPosesQuestion& q) {
     io::Json json = {{"touching", io::touching_word(q.touching)}, {"faces", q.faces}, {"penetration", q.penetration}};
+    if (q.penetration) io::add_depth_options(json, q.depth);
     io::add_queries(json, q.queries);
     return json;
   }
 
   static CheckPosesQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "poses", "solid"});
-    return CheckPosesQuestion{io::queries_read_from(value), io::touching_of(value), value.flag_or("faces", false),
-                              value.flag_or("penetration", false)};
+    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "poses", "solid"});
+    CheckPosesQuestion q{io::queries_read_from(value), io::touching_of(value), value.flag_or("faces", false),
+                         value.flag_or("penetration", false)};
+    if (q.penetration) q.depth = io::depth_options_of(value);
+    return q;
   }
 
   static PosesReport ask(const CheckPosesQuestion& question, const io::Asking& asking) {
@@ -66,7 +69,10 @@ struct CheckPosesKind {
     report.relations = relation_each(poses, asking.batch());
     if (question.faces) report.counts = count_contacts_each(poses, asking.batch());
     if (!question.penetration) return report;
-    report.penetrations = penetration_each(poses, asking.batch());
+    for (const DepthBracket& depth : depth_bracket_each(poses, question.depth, asking.batch())) {
+      report.penetrations.push_back(depth.penetration);
+      report.depth_ends.push_back(depth.end);
+    }
     if (a.has_mesh() && b.has_mesh()) report.regions = contact_regions_each(poses, asking.batch());
     return report;
   }

@@ -24,6 +24,9 @@ namespace {
 constexpr double mesh_share = 1e-3;
 constexpr double gap_share = 1e-6;
 
+/// A comparison of faces takes about as long as it takes to make so many triangles.
+constexpr std::size_t triangles_of_a_comparison = 8;
+
 constexpr std::array<const char*, 2> scheme_words{"loop", "catmull-clark"};
 
 const char* word_of(SubdivisionScheme scheme) { return scheme_words[static_cast<std::size_t>(scheme)]; }
@@ -71,36 +74,18 @@ CageFeatures features_of(const io::JsonValue& value) {
   return features;
 }
 
-/// By the vertices of the cage instead of those of the mesh.
-CageFeatures renumbered(CageFeatures features, const std::vector<Index>& vertex_of) {
-  const auto vertex = [&](Index of_mesh) {
-    if (of_mesh >= vertex_of.size() || vertex_of[of_mesh] == no_index)
-      throw Error(fmt::format("a crease or corner names vertex {}, but {}", of_mesh,
-                              of_mesh < vertex_of.size()
-                                  ? std::string("no face has it")
-                                  : fmt::format("there are {} vertices, counted from 0", vertex_of.size())));
-    return vertex_of[of_mesh];
-  };
-  for (CageCrease& crease : features.creases) {
-    crease.first = vertex(crease.first);
-    crease.second = vertex(crease.second);
-  }
-  for (CageCorner& corner : features.corners) corner.vertex = vertex(corner.vertex);
-  return features;
-}
-
 /// As it is in the world, so that lengths are those of the question.
-SubdivisionCage cage_of(const SceneInstance& posed, const SubdivideQuestion& question, const CageFeatures& own) {
+SubdivisionCage cage_of(const SceneInstance& posed, const SubdivideQuestion& question, CageFeatures features) {
   if (!posed.model.has_mesh())
     throw Error(
         fmt::format("a {} is no cage: give a mesh, whose faces are those of the cage", name_of(posed.model.shape())));
-  CagePolygons cage = cage_polygons(posed.model.mesh());
-  CageFeatures features = renumbered(own, cage.vertex_of);
   features.border = question.features.border;
-  if (question.crease_angle)
-    for (const CageCrease& crease : creases_by_angle(cage.polygons, *question.crease_angle))
-      features.creases.push_back(crease);
-  return SubdivisionCage(std::move(cage.polygons), question.scheme, std::move(features)).posed(posed.pose);
+  const auto cage = SubdivisionCage::of_mesh(posed.model.mesh(), question.scheme, std::move(features));
+  if (!question.crease_angle) return cage.posed(posed.pose);
+  CageFeatures with_angles = cage.features();
+  for (const CageCrease& crease : creases_by_angle(cage.polygons(), *question.crease_angle))
+    with_angles.creases.push_back(crease);
+  return SubdivisionCage(cage.polygons(), question.scheme, std::move(with_angles)).posed(posed.pose);
 }
 
 double diagonal_of(const SubdivisionCage& cage) {
@@ -109,8 +94,11 @@ double diagonal_of(const SubdivisionCage& cage) {
 }
 
 LimitDistance gap_of(const SubdivisionCage& cage, const SubdivideQuestion& question, double within,
-                     std::span<const SceneInstance> models) {
+                     const io::Asking& asking) {
+  const std::span<const SceneInstance> models = asking.models;
   LimitQuery query{.tolerance = within, .max_faces = question.max_triangles};
+  query.max_comparisons = question.max_triangles / triangles_of_a_comparison;
+  query.progress = asking.options.progress;
   query.pair.solid_a = models[0].solid;
   query.pair.solid_b = models[1].solid;
   if (question.both)
@@ -184,10 +172,10 @@ struct SubdivideKind {
     report.within = question.within != 0 ? question.within : (is_alone ? mesh_share : gap_share) * diagonal_of(cage);
     if (is_alone)
       report.mesh = io::asked_of(name, [&] {
-        return refine(cage, {report.within, question.levels, question.max_triangles});
+        return refine(cage, {report.within, question.levels, question.max_triangles, asking.options.progress});
       });
     else
-      report.gap = gap_of(cage, question, report.within, asking.models);
+      report.gap = gap_of(cage, question, report.within, asking);
     return report;
   }
 

@@ -170,7 +170,8 @@ std::string line_of(const io::Reporting& reporting, const WalkedStep& walked, st
                    {"stepped", step.stepped},
                    {"tight", step.tight},
                    {"stuck", step.stuck},
-                   {"crushed", step.crushed}};
+                   {"crushed", step.crushed},
+                   {"cut_short", step.cut_short}};
   if (step.carried != Vec3{}) line["carried"] = io::json_of(step.carried);
   if (step.pushed_out != Vec3{}) line["pushed_out"] = io::json_of(step.pushed_out);
   return io::line_of(line);
@@ -234,15 +235,15 @@ struct WalkKind {
   }
 
   static std::string csv(const WalkReport& report, const Scene& scene) {
-    std::string csv = "step,x,y,z,ground,contacts,met_wall,met_ceiling,stepped,tight,stuck,crushed\n";
+    std::string csv = "step,x,y,z,ground,contacts,met_wall,met_ceiling,stepped,tight,stuck,crushed,cut_short\n";
     for (std::size_t i = 0; i < report.steps.size(); ++i) {
       const MoverStep<Index>& step = report.steps[i].step;
       const Vec3& at = step.state.pose.offset;
       const std::string ground =
           step.state.ground ? io::csv_field(io::as_utf8(scene.objects[step.state.ground->object].name)) : "";
-      csv += fmt::format("{},{},{},{},{},{},{:d},{:d},{:d},{:d},{:d},{:d}\n", i + 1, at.x, at.y, at.z, ground,
+      csv += fmt::format("{},{},{},{},{},{},{:d},{:d},{:d},{:d},{:d},{:d},{:d}\n", i + 1, at.x, at.y, at.z, ground,
                          step.contacts.size(), step.met_wall, step.met_ceiling, step.stepped, step.tight, step.stuck,
-                         step.crushed);
+                         step.crushed, step.cut_short);
     }
     return csv;
   }

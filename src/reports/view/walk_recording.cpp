@@ -40,8 +40,16 @@ std::string label_of(std::span<const SceneInstance> models, const WalkReport& re
   if (step.stepped) label += ", up a step";
   if (!step.contacts.empty()) label += ", meets " + name(step.contacts.front());
   if (step.contacts.size() > 1) label += fmt::format(" and {} more", step.contacts.size() - 1);
+  if (step.tight) label += ", nearer than its skin";
   if (step.stuck) label += ", stuck";
+  if (step.crushed) label += ", crushed";
+  if (step.cut_short) label += ", cut short";
   return label;
+}
+
+/// Every so many steps are shown.
+std::size_t stride_of(std::size_t steps) {
+  return std::max<std::size_t>(1, (steps + most_shown_steps - 1) / most_shown_steps);
 }
 
 std::vector<WorldRecording::Touched> touched_after(const WalkReport& report, std::size_t steps) {
@@ -65,7 +73,7 @@ WorldRecording record_walk(std::span<const SceneInstance> models, const WalkRepo
   const BodyId id = world.add(walker);
   WorldRecording recording;
   WorldRecording::Path path{"Path", {}};
-  const std::size_t count = report.steps.size(), stride = 1 + count / most_shown_steps;
+  const std::size_t count = report.steps.size(), stride = stride_of(count);
   for (std::size_t steps = 0; steps <= count; ++steps) {
     path.points.push_back(place_after(report, steps));
     if (steps % stride != 0 && steps != count) continue;

@@ -121,13 +121,13 @@ class OneStep {
   /// Onto the ground, if it stands on some or walked and some is near below.
   void settle(SlideEnd& end, bool walks, double rise, const Vec3& wanted, MoverStep<Index>& step) {
     if (rise > 0 && !walks) return;
-    std::optional<WalkContact> ground = walk_.ground_at(end.position);
+    std::optional<WalkContact> ground = end.ground ? end.ground : walk_.ground_at(end.position);
     if (!ground && walks && setting_.snap_distance > 0) {
       const auto below = walk_.put_down(end.position, wanted);
       if (below) {
         end.position = below->position;
+        ground = below->ground;
         end.contacts.insert(end.contacts.end(), below->contacts.begin(), below->contacts.end() - 1);
-        ground = walk_.ground_at(end.position);
       }
     }
     if (ground) step.state.ground = told_contact(*ground);

@@ -8,8 +8,7 @@ namespace {
 
 LevelElement with_planes(LevelSet set, Index object, Index element, const Aabb& box) {
   const ThingPlanes planes = planes_of(set);
-  const ThingEdges edges = edges_of(set);
-  return {ElementSet(std::move(set)), object, element, box, planes, edges};
+  return {ElementSet(std::move(set)), object, element, box, planes};
 }
 
 }  // namespace
@@ -28,13 +27,14 @@ LevelElement element_of(const PosedPart& part, Index object) {
   return with_planes(std::get<PosedHalfSpace>(part.shape), object, element, box);
 }
 
-LevelElement element_of(const Triangle& triangle, Index object, Index element, const Aabb& box) {
-  return {ElementSet(triangle), object, element, box, planes_of(triangle), edges_of(triangle)};
+LevelElement element_of(const Triangle& triangle, const TriangleFace& face, Index object, Index element,
+                        const Aabb& box) {
+  return {ElementSet(triangle), object, element, box, planes_of(triangle, face)};
 }
 
 LevelElement element_of(const PosedMesh& mesh, Index triangle, Index first_element, Index object) {
   const Triangle corners = mesh.triangle(triangle);
-  return element_of(corners, object, first_element + triangle, box_of(corners));
+  return element_of(corners, face_of(corners), object, first_element + triangle, box_of(corners));
 }
 
 }  // namespace toccata

@@ -13,7 +13,8 @@ namespace toccata {
 [[nodiscard]] LevelElement element_of(const PosedPart& part, Index object);
 
 /// A triangle in the world, with its box.
-[[nodiscard]] LevelElement element_of(const Triangle& triangle, Index object, Index element, const Aabb& box);
+[[nodiscard]] LevelElement element_of(const Triangle& triangle, const TriangleFace& face, Index object, Index element,
+                                      const Aabb& box);
 
 /// A triangle of one that is.
 [[nodiscard]] LevelElement element_of(const PosedMesh& mesh, Index triangle, Index first_element, Index object);

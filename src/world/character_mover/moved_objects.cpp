@@ -18,20 +18,25 @@ Vec3 displacement_of(const Vec3& point, const Pose& before, const Pose& after) {
 /// An object that comes the character's way, in the level.
 class PushingObject {
  public:
-  /// It begins at `begin`.
-  PushingObject(const Pose& begin, const InstanceView& at, const MoverBody& body, double gap)
-      : at_(at), body_(body), gap_(gap), begin_(begin) {}
+  /// It begins where it is told to.
+  PushingObject(const MovedIndex& from, const SearchedObjects& objects, const MoverBody& body, double gap)
+      : objects_(objects), object_(from.object), body_(body), gap_(gap), begin_(from.before) {}
 
   /// The way that it pushes the body next, if it meets it. What slips along the body, or leaves it, and is no farther
   /// than the gap, may meet it later on its way: so it is asked for what comes nearer.
   [[nodiscard]] std::optional<Vec3> next_push(const Vec3& position) {
+    return ask_about(object_, objects_, [&](const InstanceView& at) { return next_push_of(at, position); });
+  }
+
+ private:
+  std::optional<Vec3> next_push_of(const InstanceView& at, const Vec3& position) {
     for (const double gap : {gap_, 0.25 * gap_, 0.0}) {
-      const RigidMotion motion = RigidMotion::between(begin_, at_.pose);
-      const SweepQuery query{Solid::automatic, at_.solid, gap};
-      const ShapeHit met = sweep(body_.model(), RigidMotion(body_.pose_at(position)), at_.model, motion, query);
+      const RigidMotion motion = RigidMotion::between(begin_, at.pose);
+      const SweepQuery query{Solid::automatic, at.solid, gap};
+      const ShapeHit met = sweep(body_.model(), RigidMotion(body_.pose_at(position)), at.model, motion, query);
       if (!met.hit) return {};
       const Pose there = met.lower > 0 ? motion.at(met.lower) : begin_;
-      const double way = dot(displacement_of(met.point, there, at_.pose), met.normal);
+      const double way = dot(displacement_of(met.point, there, at.pose), met.normal);
       if (!(way > 0)) continue;
       begin_ = there;
       return way * met.normal;
@@ -39,8 +44,8 @@ class PushingObject {
     return {};
   }
 
- private:
-  InstanceView at_;
+  const SearchedObjects& objects_;
+  Index object_;
   const MoverBody& body_;
   double gap_;
   Pose begin_;
@@ -59,16 +64,16 @@ class Carrying {
     const Vec3 wanted = place_.position + by;
     go(by, carrier.object);
     const Vec3 missing = wanted - place_.position;
-    if (!(missing == Vec3{})) push_from({now.linear, now.offset - missing}, carrier.object);
+    if (!(missing == Vec3{})) push_from({carrier.object, {now.linear, now.offset - missing}});
   }
 
-  void push_from(const Pose& begin, Index object) {
-    PushingObject pushing(begin, objects_.at(object), body_, gap_);
+  void push_from(const MovedIndex& begin) {
+    PushingObject pushing(begin, objects_, body_, gap_);
     for (int i = 0; i < most_pushes; ++i) {
       const std::optional<Vec3> push = pushing.next_push(place_.position);
       if (!push) return;
       const Vec3 from = place_.position;
-      go(*push, object);
+      go(*push, begin.object);
       const double done = dot(place_.position - from, *push) / dot(*push, *push);
       if (done < 0.5) {
         place_.crushed = true;
@@ -104,7 +109,7 @@ CarriedPlace carried_along(const Vec3& position, const std::optional<MoverStand>
   for (const MovedIndex& one : moved)
     if (carries(one) && objects.accepts(one.object)) carrying.carry(stand->point, one);
   for (const MovedIndex& one : moved)
-    if (!carries(one) && objects.accepts(one.object)) carrying.push_from(one.before, one.object);
+    if (!carries(one) && objects.accepts(one.object)) carrying.push_from(one);
   return carrying.place();
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -57,6 +58,10 @@ std::variant<PosedPolytope, PosedQuadric> posed_set(const Shape& shape, const Po
 }
 
 }  // namespace
+
+ElementSet::ElementSet(LevelSet set)
+    : set_(std::make_shared<const LevelSet>(std::move(set))),
+      edges_(std::make_shared<const ThingEdges>(edges_of(*set_))) {}
 
 MoverBody::MoverBody(const Model& shape, const Pose& pose)
     : model_(require_mover(shape)),
@@ -158,6 +163,25 @@ MoverBody::Placed MoverBody::placed_at(const Vec3& position) const {
   return placed;
 }
 
+RoundedBox MoverBody::reach_of(const Placed& placed, const Vec3& motion, double distance) const {
+  const FewCorners& corners = placed.corners;
+  const bool has_corners = corners.count > 0;
+  Aabb core = has_corners ? Aabb{} : box_at(placed.position);
+  for (std::size_t i = 0; i < corners.count; ++i) core = merge(core, corners.corners[i]);
+  const double extent = std::max(largest_magnitude(core.lower), largest_magnitude(core.upper));
+  const Aabb way = merge(core, Aabb{core.lower + motion, core.upper + motion});
+  const double slack = height_slack(extent, largest_magnitude(motion));
+  return {way, (has_corners ? radius_ : 0) + distance + slack};
+}
+
+RoundedBox MoverBody::reached_in(const Aabb& box) const {
+  if (placed_at(pose_.offset).corners.count == 0) return {box, 0};
+  const double extent = std::max(largest_magnitude(box.lower), largest_magnitude(box.upper));
+  const double slack = 4 * height_slack(extent, 0), inward = radius_ - slack;
+  const Vec3 by{inward, inward, inward};
+  return {{box.lower + by, box.upper - by}, radius_ + slack};
+}
+
 MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing, double enough) const {
   const double radii = radius_ + thing.planes.radius;
   const PlaneGap gap = plane_gap(placed.corners, thing.planes, enough + radii);
@@ -169,7 +193,7 @@ MoverGap MoverBody::gap_of(const Placed& placed, const LevelElement& thing) cons
   if (bound.planes.is_exact)
     return {bound.distance, bound.planes.normal, bound.planes.foot + thing.planes.radius * bound.planes.normal,
             bound.planes.distance};
-  if (const auto edge = edge_gap(placed.corners, thing.edges))
+  if (const auto edge = thing.set.gap_at_edge(placed.corners))
     return {edge->distance - radius_ - thing.planes.radius, edge->normal,
             edge->foot + thing.planes.radius * edge->normal, edge->distance};
   const Set placed_core = at(core_, placed.position);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -8,26 +9,32 @@
 #include "query/posed_shape.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/query/model.hpp"
+#include "world/character_mover/rounded_box.hpp"
 #include "world/character_mover/thing_edges.hpp"
 #include "world/character_mover/thing_planes.hpp"
 
 namespace toccata {
 
-/// A set that is posed when it is first asked for, if it is a triangle: that is seldom, and takes longer than all that
-/// is told by its planes and edges. By one thread at a time.
+/// A set, and its edges. A triangle is posed when that is first asked for: that is seldom, and takes longer than all
+/// that is told by its planes and edges. By one thread at a time. Copies share what is posed.
 class ElementSet {
  public:
-  explicit ElementSet(LevelSet set) : set_(std::move(set)) {}
+  explicit ElementSet(LevelSet set);
   explicit ElementSet(const Triangle& triangle) : triangle_(triangle) {}
 
   [[nodiscard]] const LevelSet& posed() const {
-    if (!set_) set_.emplace(std::in_place_type<PosedPolytope>, triangle_);
+    if (!set_) set_ = std::make_shared<const LevelSet>(std::in_place_type<PosedPolytope>, triangle_);
     return *set_;
+  }
+
+  [[nodiscard]] std::optional<EdgeGap> gap_at_edge(const FewCorners& core) const {
+    return edges_ ? edge_gap(core, *edges_) : edge_gap(core, edges_of(triangle_));
   }
 
  private:
   Triangle triangle_{};
-  mutable std::optional<LevelSet> set_;
+  mutable std::shared_ptr<const LevelSet> set_;
+  std::shared_ptr<const ThingEdges> edges_;  ///< none: of the triangle
 };
 
 /// A convex thing of the level, and what it is called.
@@ -37,7 +44,6 @@ struct LevelElement {
   Index element = 0;  ///< as in Model
   Aabb box;           ///< around it, in the world
   ThingPlanes planes;
-  ThingEdges edges;
 };
 
 /// How far a body is from a convex thing.
@@ -73,6 +79,10 @@ class MoverBody {
     FewCorners corners;  ///< of the core
   };
   [[nodiscard]] Placed placed_at(const Vec3& position) const;
+  /// All that is no farther than that from it on a straight way, or a little farther.
+  [[nodiscard]] RoundedBox reach_of(const Placed& placed, const Vec3& motion, double distance) const;
+  /// The part of a box that bodies that lie in it may come near to: no corners beside a round one.
+  [[nodiscard]] RoundedBox reached_in(const Aabb& box) const;
   /// By how much the core is grown.
   [[nodiscard]] double radius() const { return radius_; }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/meshes/world_search.hpp"
 #include "query/relation/relation_locality.hpp"
@@ -21,7 +23,14 @@ constexpr double parallel_slope = 0x1p-36, parallel_share = 0x1p-9;
 /// How much of the skin the planes that tell a distance may be wrong by at most.
 constexpr double witness_share = 0x1p-8;
 
-double most_coordinate(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// What is farther than that beyond where it counts is left out unseen: more than a time and a distance may be off by.
+constexpr double share_of_spare = 0x1p-26;
+
+/// So many things are looked at without asking first which of them is met at the latest.
+constexpr std::size_t few_enough = 3;
+
+/// Room is made at once for so many triangles around a body.
+constexpr std::size_t usual_number = 256;
 
 Aabb box_of_way(const Aabb& box, const Vec3& motion) {
   return merge(box, Aabb{box.lower + motion, box.upper + motion});
@@ -38,6 +47,7 @@ void MoverSurroundings::look_around(const Aabb& box) {
 
 void MoverSurroundings::gather() {
   candidates_.clear();
+  faces_.clear();
   elements_.clear();
   solids_.clear();
   std::vector<Index> near;
@@ -49,20 +59,27 @@ void MoverSurroundings::gather() {
   for (const Index object : near) gather_object(object);
 }
 
+void MoverSurroundings::gather_triangles(const PosedMesh& mesh, Index object, Index first_element) {
+  std::vector<MeshTriangle> near;
+  std::vector<std::pair<Index, std::size_t>> order;
+  near.reserve(usual_number);
+  order.reserve(usual_number);
+  const RoundedBox reached = body_.reached_in(region_);
+  visit_world_triangles(mesh, region_, [&](const MeshTriangle& triangle) {
+    if (reached.misses(triangle.box)) return;
+    order.emplace_back(triangle.number, near.size());
+    near.push_back(triangle);
+  });
+  std::sort(order.begin(), order.end());
+  candidates_.reserve(candidates_.size() + near.size());
+  for (const auto& [number, place] : order)
+    candidates_.push_back({near[place].box, near[place].corners, object, first_element + number});
+}
+
 void MoverSurroundings::gather_object(Index object) {
-  std::vector<Index> triangles;
   for (const PosedPart& part : level_parts(objects_, object)) {
     if (const auto* mesh = std::get_if<PosedTriangles>(&part.shape)) {
-      triangles.clear();
-      visit_triangles_near(mesh->mesh, region_, [&](Index i) {
-        triangles.push_back(i);
-        return true;
-      });
-      std::sort(triangles.begin(), triangles.end());
-      for (const Index i : triangles) {
-        const Triangle corners = mesh->mesh.triangle(i);
-        candidates_.push_back({box_of(corners), corners, object, part.first_element + i, nullptr});
-      }
+      gather_triangles(mesh->mesh, object, part.first_element);
       if (mesh->solid) solids_.push_back({object, mesh->mesh});
     } else if (overlap(world_box(part.shape), region_)) {
       const LevelElement& element = elements_.emplace_back(element_of(part, object));
@@ -72,21 +89,34 @@ void MoverSurroundings::gather_object(Index object) {
 }
 
 const LevelElement& MoverSurroundings::made(Candidate& candidate) {
-  if (candidate.made == nullptr)
-    candidate.made =
-        &elements_.emplace_back(element_of(candidate.triangle, candidate.object, candidate.element, candidate.box));
+  if (const TriangleFace* face = face_alone(candidate); face != nullptr)
+    candidate.made = &elements_.emplace_back(
+        element_of(candidate.triangle, *face, candidate.object, candidate.element, candidate.box));
   return *candidate.made;
 }
 
+const TriangleFace* MoverSurroundings::face_alone(Candidate& candidate) {
+  if (candidate.made != nullptr) return nullptr;
+  if (candidate.face == no_face) {
+    candidate.face = faces_.size();
+    faces_.push_back(face_of(candidate.triangle));
+  }
+  return &faces_[candidate.face];
+}
+
 std::vector<NearThing> MoverSurroundings::things_within(const Vec3& position, double distance) {
-  const Aabb box = widened(body_.box_at(position), distance);
-  look_around(box);
+  look_around(widened(body_.box_at(position), distance));
   const MoverBody::Placed placed = body_.placed_at(position);
+  const double spared = distance + share_of_spare * skin_;
+  const RoundedBox reach = body_.reach_of(placed, {}, spared);
+  const PlaneCast kept(placed.corners, {}, {body_.radius() + spared, 0, 0});
+  const bool has_planes = placed.corners.count > 0;
   std::vector<NearThing> near;
   for (Candidate& candidate : candidates_) {
-    if (!overlap(candidate.box, box)) continue;
+    if (reach.misses(candidate.box)) continue;
+    if (has_planes && is_kept_off(candidate, kept)) continue;
     const LevelElement& element = made(candidate);
-    if (body_.bound_of(placed, element, distance).distance > distance) continue;
+    if (has_planes && kept.times_of(element.planes).earliest > 1) continue;
     const MoverGap gap = body_.gap_of(placed, element);
     if (gap.distance <= distance) near.push_back({gap, &element});
   }
@@ -105,7 +135,7 @@ double MoverSurroundings::same_time(const Vec3& motion) const { return 0x1p-16 *
 
 /// A way so long that it is better to go along it than to look up all around it.
 bool MoverSurroundings::is_long(const Vec3& motion) const {
-  return most_coordinate(motion) > 8 * std::max(body_.size(), 8 * skin_);
+  return largest_magnitude(motion) > 8 * std::max(body_.size(), 8 * skin_);
 }
 
 std::optional<MoverMeeting> MoverSurroundings::first_meeting(const Vec3& position, const Vec3& motion,
@@ -136,7 +166,7 @@ std::optional<MoverSurroundings::Met> MoverSurroundings::meeting_with(const Leve
     if (is_leaving && gap.distance <= 0) return {};
     // So far the plane is known.
     const Vec3 at = position + time * motion;
-    const double extent = std::max(most_coordinate(at), most_coordinate(gap.point)) + body_.size();
+    const double extent = std::max(largest_magnitude(at), largest_magnitude(gap.point)) + body_.size();
     const double known = (witness_share * skin_ / witness_error) * (gap.witness / (extent * speed));
     time += is_leaving ? known : std::min(known, excess / approach);
     if (!(time <= limit)) return {};
@@ -164,54 +194,109 @@ std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> m
 
 /// So long that where it leads, and how far into a plane, is rounded by more than a 16th of the skin.
 bool MoverSurroundings::is_too_long_for_planes(const Vec3& motion) const {
-  return !(0x1p-50 * most_coordinate(motion) <= 0x1p-4 * skin_);
+  return !(0x1p-50 * largest_magnitude(motion) <= 0x1p-4 * skin_);
 }
 
-/// The part of a way on which a thing is not met, by the planes of its faces; more than 1: all of it.
-double MoverSurroundings::free_until(const LevelElement& thing, const MoverBody::Placed& start,
-                                     const Vec3& motion) const {
-  const FewCorners& corners = start.corners;
-  if (corners.count == 0 || is_too_long_for_planes(motion)) return 0;
-  const double taken = body_.radius() + thing.planes.radius + height_slack(corners, thing.planes) + least_gap_;
+std::optional<PlaneCast> MoverSurroundings::plane_cast(const MoverBody::Placed& start, const Vec3& motion) const {
+  if (start.corners.count == 0 || is_too_long_for_planes(motion)) return {};
   const double parallel_speed = std::min(parallel_slope * length(motion), parallel_share * skin_);
-  double free = 0;
-  for (std::size_t p = 0; p < thing.planes.count && free <= 1; ++p) {
-    const ThingPlanes::Plane& plane = thing.planes.planes[p];
-    const double excess = corners.lowest_along(plane.normal) - plane.top - taken;
-    const double approach = -dot(plane.normal, motion);
-    if (excess >= 0) free = std::max(free, approach <= parallel_speed ? 2 : excess / approach);
-  }
-  return free;
+  return PlaneCast(start.corners, motion, {body_.radius() + least_gap_, share_of_spare * skin_, parallel_speed});
 }
 
-/// What the planes of the faces leave is looked at in the order of the times that they tell, and what has a vertex of
-/// the body over a face first: its distance is told by the face, and what lies in the same plane comes no sooner.
-std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
-                                                            std::optional<Index> without) {
-  const Aabb way = widened(box_of_way(body_.box_at(position), motion), skin_);
-  look_around(way);
-  const MoverBody::Placed start = body_.placed_at(position);
-  const double same = same_time(motion);
-  std::vector<Waiting> waiting;
+RoundedBox MoverSurroundings::reach_of_way(const MoverBody::Placed& start, const Vec3& motion) const {
+  return body_.reach_of(start, motion, least_gap_ + share_of_spare * skin_);
+}
+
+/// By the face of a triangle of which no more is known yet.
+bool MoverSurroundings::is_kept_off(Candidate& candidate, const PlaneCast& planes) {
+  const TriangleFace* face = face_alone(candidate);
+  return face != nullptr && planes.is_kept_off(*face);
+}
+
+/// What boxes and the faces of triangles leave.
+std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const MoverBody::Placed& start,
+                                                                         const Vec3& motion,
+                                                                         const std::optional<PlaneCast>& planes,
+                                                                         std::optional<Index> without) {
+  const RoundedBox reach = reach_of_way(start, motion);
+  std::vector<Candidate*> near;
   for (Candidate& candidate : candidates_) {
-    if (candidate.object == without || !overlap(candidate.box, way)) continue;
-    const LevelElement& element = made(candidate);
-    const double time = free_until(element, start, motion);
-    if (time > 1) continue;
-    const MoverBody::Placed then = body_.placed_at(position + time * motion);
-    waiting.push_back({!body_.bound_of(then, element).planes.is_exact, time, &element});
+    if (candidate.object == without || reach.misses(candidate.box)) continue;
+    if (!planes || !is_kept_off(candidate, *planes)) near.push_back(&candidate);
+  }
+  return near;
+}
+
+/// No later than this something is met: the one that is nearest at the start is asked. What boxes tell to be met later
+/// need not be looked at.
+double MoverSurroundings::latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
+                                      const Vec3& motion) {
+  const RoundedBox at_start = reach_of_way(start, {});
+  Candidate* nearest = nullptr;
+  double least = infinity;
+  for (Candidate* candidate : near) {
+    const double square = at_start.square_of_distance(candidate->box);
+    if (!(square < least)) continue;
+    least = square;
+    nearest = candidate;
+  }
+  if (nearest == nullptr) return 1;
+  const auto meeting = meeting_with(made(*nearest), start, motion, 1);
+  return meeting ? std::min(1.0, meeting->time + 2 * same_time(motion)) : 1;
+}
+
+/// What boxes and planes leave, in the order of the times that these tell.
+std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const MoverBody::Placed& start,
+                                                                      const Vec3& motion,
+                                                                      std::optional<Index> without) {
+  const std::optional<PlaneCast> planes = plane_cast(start, motion);
+  const std::vector<Candidate*> near = on_the_way(start, motion, planes, without);
+  const double latest = near.size() > few_enough ? latest_time(near, start, motion) : 1;
+  const RoundedBox reach = reach_of_way(start, latest * motion);
+  std::vector<Waiting> waiting;
+  for (Candidate* candidate : near) {
+    if (reach.misses(candidate->box)) continue;
+    const LevelElement& element = made(*candidate);
+    const PlaneCast::Times times = planes ? planes->times_of(element.planes) : PlaneCast::Times{};
+    if (times.free <= 1 && times.earliest <= latest) waiting.push_back({times, &element});
   }
   std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) {
-    return std::tie(a.is_slow, a.time) < std::tie(b.is_slow, b.time);
+    return std::tie(a.times.earliest, a.times.free) < std::tie(b.times.earliest, b.times.free);
   });
+  return waiting;
+}
+
+/// What has a vertex of the body over a face when its planes leave it is looked at first: its distance is told by the
+/// face, and what lies in the same plane comes no sooner.
+std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) {
+  look_around(widened(box_of_way(body_.box_at(position), motion), skin_));
+  const MoverBody::Placed start = body_.placed_at(position);
+  const double same = same_time(motion);
   std::vector<Met> met;
+  std::vector<Waiting> slow;
   double first = 1;
-  for (const Waiting& next : waiting) {
-    if (!met.empty() && next.is_slow && next.time >= first - same) continue;
-    const auto meeting = meeting_with(*next.thing, start, motion, std::min(1.0, first + same));
-    if (!meeting) continue;
+  const auto look_at = [&](const LevelElement& thing) {
+    const auto meeting = meeting_with(thing, start, motion, std::min(1.0, first + same));
+    if (!meeting) return;
     met.push_back(*meeting);
     first = std::min(first, meeting->time);
+  };
+  for (const Waiting& next : waiting_on(start, motion, without)) {
+    if (next.times.earliest > first + same) break;
+    const MoverBody::Placed then = body_.placed_at(position + next.times.free * motion);
+    if (body_.bound_of(then, *next.thing).planes.is_exact)
+      look_at(*next.thing);
+    else
+      slow.push_back(next);
+  }
+  std::stable_sort(slow.begin(), slow.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tuple(a.times.free, a.thing->object, a.thing->element) <
+           std::tuple(b.times.free, b.thing->object, b.thing->element);
+  });
+  for (const Waiting& next : slow) {
+    if (!met.empty() && next.times.free >= first - same) break;
+    if (next.times.earliest <= first + same) look_at(*next.thing);
   }
   return nearest_of(met, first, position, motion);
 }
@@ -222,12 +307,13 @@ std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position
   const Vec3 half = 0.5 * (box.upper - box.lower);
   const PosedPolytope moving(Box(half + 0x1p-20 * half, 0.5 * (box.lower + box.upper)));
   const MoverBody::Placed start = body_.placed_at(position);
+  const std::optional<PlaneCast> planes = plane_cast(start, motion);
   std::deque<LevelElement> seen;  // what is in it stays where it is
   std::vector<Met> met;
   double first = 1;
   const auto limit = [&] { return std::min(1.0, first + same_time(motion)); };
   const auto look_at = [&](LevelElement element) {
-    if (!(free_until(element, start, motion) <= limit())) return limit();
+    if (planes && !(planes->times_of(element.planes).free <= limit())) return limit();
     const auto meeting = meeting_with(element, start, motion, limit());
     if (!meeting) return limit();
     seen.push_back(std::move(element));

@@ -8,6 +8,7 @@
 
 #include "query/scenes/object_search.hpp"
 #include "world/character_mover/mover_body.hpp"
+#include "world/character_mover/plane_cast.hpp"
 
 namespace toccata {
 
@@ -58,10 +59,11 @@ class MoverSurroundings {
     bool is_proved = true;
   };
   struct Waiting {
-    bool is_slow;
-    double time;  ///< it is not met before
+    PlaneCast::Times times;
     const LevelElement* thing;
   };
+
+  static constexpr auto no_face = static_cast<std::size_t>(-1);
 
   /// Something whose box meets the region. What a triangle's planes and edges are is found when it is first looked at.
   struct Candidate {
@@ -70,22 +72,36 @@ class MoverSurroundings {
     Index object = 0;
     Index element = 0;
     const LevelElement* made = nullptr;
+    std::size_t face = no_face;  ///< in `faces_`
   };
   [[nodiscard]] const LevelElement& made(Candidate& candidate);
+  /// The face of a triangle of which no more has been asked yet; valid until the next is asked for.
+  [[nodiscard]] const TriangleFace* face_alone(Candidate& candidate);
+  [[nodiscard]] bool is_kept_off(Candidate& candidate, const PlaneCast& planes);
 
   void gather();
   void gather_object(Index object);
+  void gather_triangles(const PosedMesh& mesh, Index object, Index first_element);
   [[nodiscard]] bool is_long(const Vec3& motion) const;
   [[nodiscard]] bool is_too_long_for_planes(const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without);
+  [[nodiscard]] std::vector<Waiting> waiting_on(const MoverBody::Placed& start, const Vec3& motion,
+                                                std::optional<Index> without);
+  [[nodiscard]] std::vector<Candidate*> on_the_way(const MoverBody::Placed& start, const Vec3& motion,
+                                                   const std::optional<PlaneCast>& planes,
+                                                   std::optional<Index> without);
+  [[nodiscard]] double latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
+                                   const Vec3& motion);
+  [[nodiscard]] RoundedBox reach_of_way(const MoverBody::Placed& start, const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_far_on(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without) const;
   [[nodiscard]] std::optional<MoverMeeting> nearest_of(std::span<const Met> met, double time, const Vec3& position,
                                                        const Vec3& motion) const;
   [[nodiscard]] std::optional<Met> meeting_with(const LevelElement& thing, const MoverBody::Placed& start,
                                                 const Vec3& motion, double limit) const;
-  [[nodiscard]] double free_until(const LevelElement& thing, const MoverBody::Placed& start, const Vec3& motion) const;
+  /// None where planes tell nothing.
+  [[nodiscard]] std::optional<PlaneCast> plane_cast(const MoverBody::Placed& start, const Vec3& motion) const;
   /// Two times within this are not told apart.
   [[nodiscard]] double same_time(const Vec3& motion) const;
 
@@ -95,6 +111,7 @@ class MoverSurroundings {
   double least_gap_;
   Aabb region_;  ///< what meets it is in `candidates_`
   std::vector<Candidate> candidates_;
+  std::vector<TriangleFace> faces_;
   std::deque<LevelElement> elements_;
   std::vector<Holder> solids_;
 };

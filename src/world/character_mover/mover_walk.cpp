@@ -77,7 +77,8 @@ std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, const Vec3& mo
     const double off = length(aside);
     const bool is_seen = off > 0x1p-8 * setting_.skin;  // less is rounding, where `up` is no axis
     if (is_seen && (off > longest || dot(aside, motion) > 0x1p-6 * off * longest)) return {};
-    if (ground_at(way.end.position)) return way.end;
+    way.end.ground = ground_at(way.end.position);
+    if (way.end.ground) return way.end;
   }
   return {};
 }
@@ -126,10 +127,10 @@ std::optional<SlideEnd> MoverWalk::step_up(const Vec3& position, const Vec3& mot
   const auto landing = stopped(end.position, -(dot(end.position - position, up) + skin) * up);
   if (!landing) return {};
   end.position = *landing;
-  const auto ground = ground_at(end.position);
+  end.ground = ground_at(end.position);
   // What it stands on is the skin below it; a step may be as high as that is exact.
   const double floor = dot(position, up) - depth_below_ - skin;
-  const bool is_step = ground && dot(ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
+  const bool is_step = end.ground && dot(end.ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
   return is_step ? std::optional(end) : std::nullopt;
 }
 

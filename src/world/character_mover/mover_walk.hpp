@@ -37,7 +37,8 @@ struct WalkContact {
 struct SlideEnd {
   Vec3 position;
   std::vector<WalkContact> contacts;
-  bool cut_short = false;  ///< it was not proved that it goes no farther
+  bool cut_short = false;               ///< it was not proved that it goes no farther
+  std::optional<WalkContact> ground{};  ///< what it stands on there, if that was asked and is something
 };
 
 /// Which motions are nearest to those wanted: to a walker the level part alone counts.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/constants.hpp"
+#include "world/character_mover/rounded_box.hpp"
 
 namespace toccata {
 namespace {
@@ -14,6 +15,10 @@ constexpr double slacks_of_slab = 4;
 
 /// Below this square of the sine between them two segments are taken as parallel.
 constexpr double parallel_square = 0x1p-40;
+
+/// So many times the square of a way is more than it, however points are rounded that are told to be farther apart than
+/// 2⁻²⁰ of their coordinates.
+constexpr double clearly_more = 1 + 0x1p-20;
 
 struct FromTo {
   Vec3 start, along;
@@ -84,9 +89,12 @@ std::optional<EdgeGap> edge_gap(const FewCorners& core, const ThingEdges& thing)
   const Vec3 origin = core.corners[0];
   const FromTo middle{{}, core.corners[core.count - 1] - origin};
   ShortestWay way;
+  const RoundedBox around(merge(Aabb{{}, {}}, middle.along), 0);
   for (std::size_t i = 0; i < thing.count; ++i) {
     const Vec3 start = corners.corners[thing.edges[i].from] - origin;
-    see_segments(way, middle, {start, corners.corners[thing.edges[i].to] - origin - start});
+    const Vec3 end = corners.corners[thing.edges[i].to] - origin;
+    if (around.square_of_distance(merge(Aabb{start, start}, end)) > clearly_more * way.square) continue;
+    see_segments(way, middle, {start, end - start});
   }
   const double length_of_way = std::sqrt(way.square), slack = height_slack(core.extent, corners.extent);
   if (!(length_of_way > 0x1p-20 * std::max(core.extent, corners.extent))) return {};

@@ -9,15 +9,9 @@
 namespace toccata {
 namespace {
 
-/// More than a height along a unit normal, and the difference of two, is off by for coordinates no greater than 1: 4
-/// roundings of sums of three products, and a normal whose length is off by 2.
-constexpr double height_error = 0x1p-48;
-
 /// How far, of the extent, the corners of a face may lie below its plane; and how wide, of its longest edge, a triangle
 /// has to be. Beyond that a normal and what is over a face are made of rounding, and exact distance has to decide.
 constexpr double greatest_bend = 0x1p-40, least_width = 0x1p-12;
-
-double most_of_coordinates(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& normal) {
   double top = -infinity;
@@ -25,19 +19,10 @@ void add_plane(ThingPlanes& planes, const PosedPolytope& thing, const Vec3& norm
   planes.planes[planes.count++] = {normal, top};
 }
 
-/// Where it is not so narrow that its corners are on a line, but for rounding.
-void add_planes_of_triangle(ThingPlanes& planes, const Triangle& t) {
-  const std::array<Vec3, 3> sides{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-  const Vec3 across = cross(sides[0], t[2] - t[0]);
-  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
-  if (!(length(across) > least_width * longest_square)) return;
-  const Vec3 normal = normalized(across);
-  const auto add = [&](const Vec3& n) {
-    planes.planes[planes.count++] = {n, std::max({dot(n, t[0]), dot(n, t[1]), dot(n, t[2])})};
-  };
-  add(normal);
-  add(-normal);
-  for (const Vec3& side : sides) add(normalized(cross(side, normal)));
+std::array<Vec3, 3> sides_of(const Triangle& t) { return {t[1] - t[0], t[2] - t[1], t[0] - t[2]}; }
+
+ThingPlanes::Plane plane_over(const Triangle& t, const Vec3& normal) {
+  return {normal, std::max({dot(normal, t[0]), dot(normal, t[1]), dot(normal, t[2])})};
 }
 
 /// None where a normal is no direction.
@@ -77,36 +62,53 @@ ThingPlanes planes_of(const LevelSet& set) {
   if (const auto* half = std::get_if<PosedHalfSpace>(&set)) {
     const Vec3 normal = normalized(half->normal);
     planes.planes[planes.count++] = {normal, dot(normal, half->point)};
-    planes.extent = most_of_coordinates(half->point);
+    planes.extent = largest_magnitude(half->point);
     return planes;
   }
   const auto* thing = std::get_if<PosedPolytope>(&set);
   if (thing == nullptr || thing->vertex_count() > 8) return planes;
   planes.radius = thing->radius();
   for (Index i = 0; i < thing->vertex_count(); ++i)
-    planes.extent = std::max(planes.extent, most_of_coordinates(thing->vertex(i)));
+    planes.extent = std::max(planes.extent, largest_magnitude(thing->vertex(i)));
   const Index faces = thing->topology().face_count();
-  if (thing->vertex_count() == 3 && faces == 2)
-    add_planes_of_triangle(planes, Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
+  if (thing->vertex_count() == 3 && faces == 2) {
+    const double radius = planes.radius;
+    planes = planes_of(Triangle{{thing->vertex(0), thing->vertex(1), thing->vertex(2)}});
+    planes.radius = radius;
+  }
   if (thing->vertex_count() > 3 && faces > 3 && faces <= ThingPlanes::most) add_planes_of_faces(planes, *thing);
   return with_normals(planes);
 }
 
-ThingPlanes planes_of(const Triangle& triangle) {
+/// Where it is not so narrow that its corners are on a line, but for rounding.
+TriangleFace face_of(const Triangle& t) {
+  TriangleFace face;
+  for (const Vec3& corner : t.vertex) face.extent = std::max(face.extent, largest_magnitude(corner));
+  const std::array<Vec3, 3> sides = sides_of(t);
+  const Vec3 across = cross(sides[0], t[2] - t[0]);
+  const double longest_square = std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
+  if (!(length(across) > least_width * longest_square)) return face;
+  const Vec3 normal = normalized(across);
+  face.upper = plane_over(t, normal);
+  face.lower = plane_over(t, -normal);
+  face.is_told = !(normal == Vec3{});
+  return face;
+}
+
+ThingPlanes planes_of(const Triangle& triangle, const TriangleFace& face) {
   ThingPlanes planes;
-  for (const Vec3& corner : triangle.vertex) planes.extent = std::max(planes.extent, most_of_coordinates(corner));
-  add_planes_of_triangle(planes, triangle);
+  planes.extent = face.extent;
+  planes.is_triangle = true;
+  if (!face.is_told) return planes;
+  planes.planes[0] = face.upper;
+  planes.planes[1] = face.lower;
+  planes.count = 2;
+  for (const Vec3& side : sides_of(triangle))
+    planes.planes[planes.count++] = plane_over(triangle, normalized(cross(side, face.upper.normal)));
   return with_normals(planes);
 }
 
-void FewCorners::add(const Vec3& corner) {
-  corners[count++] = corner;
-  extent = std::max(extent, most_of_coordinates(corner));
-}
-
-double height_slack(double extent_above, double extent_below) {
-  return height_error * std::max(extent_above, extent_below);
-}
+ThingPlanes planes_of(const Triangle& triangle) { return planes_of(triangle, face_of(triangle)); }
 
 double height_slack(const FewCorners& above, const ThingPlanes& planes) {
   return height_slack(above.extent, planes.extent);

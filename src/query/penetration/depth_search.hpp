@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <vector>
+
+#include "query/penetration/separating_seeds.hpp"
+#include "toccata/query/penetration.hpp"
+
+// What the searches for the depth of solids share.
+namespace toccata {
+
+/// A way that is made longer to part two solids grows by at least that, however small they are.
+inline constexpr double least_step = 0x1p-1020;
+
+/// The greatest share of the coordinates and the way that rounding can move a vertex by.
+inline constexpr double separation_slack = 0x1p-48;
+
+/// Squares of greater and lesser extents leave the doubles.
+inline constexpr double least_extent = 0x1p-450, greatest_extent = 0x1p450;
+
+/// What is asked of two solids whose convex bodies are searched.
+struct SeparatingQuestions {
+  /// A lower bound of the distance of A from B, moved; 0 when they meet.
+  std::function<double(const Vec3& move)> distance;
+  /// Some of the points at which their surfaces meet.
+  std::function<std::vector<SurfaceIntersection>(const Vec3& move)> intersections;
+};
+
+/// When a search ends: as soon as the bracket is narrow, or its time is over.
+class DepthLimit {
+ public:
+  explicit DepthLimit(const DepthOptions& options)
+      : ratio_(1 + options.precision), seconds_(options.time_limit), start_(Clock::now()) {}
+
+  [[nodiscard]] double ratio() const { return ratio_; }
+  [[nodiscard]] bool is_narrow(const Penetration& bracket) const { return bracket.upper <= ratio_ * bracket.lower; }
+  [[nodiscard]] bool is_over() const {
+    return seconds_ < std::numeric_limits<double>::infinity() &&
+           std::chrono::duration<double>(Clock::now() - start_).count() >= seconds_;
+  }
+  /// Of the bracket that a search ended with.
+  [[nodiscard]] DepthEnd end_of(const Penetration& bracket) const {
+    return is_narrow(bracket) ? DepthEnd::precise : is_over() ? DepthEnd::out_of_time : DepthEnd::exhausted;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double ratio_;
+  double seconds_;
+  Clock::time_point start_;
+};
+
+}  // namespace toccata
