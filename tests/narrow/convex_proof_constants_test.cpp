@@ -20,7 +20,7 @@ namespace {
 using oracle::exact;
 using oracle::Rational;
 
-Rational squared(const Rational& x) { return x * x; }
+Rational square_of_length(const Rational& x) { return x * x; }
 
 /// A length is no more than the least that A − B reaches, which it does along no direction less than along any.
 void expect_no_more_than_reach(double length, const PosedPolytope& a, const PosedPolytope& b,
@@ -30,7 +30,7 @@ void expect_no_more_than_reach(double length, const PosedPolytope& a, const Pose
     for (Index j = 0; j < b.vertex_count(); ++j)
       reach = std::max(reach, oracle::dot(direction, exact(a.vertex(i)) - exact(b.vertex(j))));
   ASSERT_GT(reach, 0);
-  EXPECT_LE(squared(exact(length)) * oracle::dot(direction, direction), squared(reach));
+  EXPECT_LE(square_of_length(exact(length)) * oracle::dot(direction, direction), square_of_length(reach));
 }
 
 oracle::ConvexSet hull_of(const PosedPolytope& posed) {
@@ -152,8 +152,8 @@ TEST(ConvexProofConstants, GapsThatAreTinyBesideTheTrianglesAreRounded) {
   refine_gaps(block, gaps);
   const auto gap =
       oracle::squared_distance(oracle::triangle_set(a[0], a[1], a[2]), oracle::triangle_set(b[0], b[1], b[2]));
-  EXPECT_LE(squared(exact(gaps.lower[0])), gap);
-  EXPECT_GE(squared(exact(gaps.upper[0])), gap);
+  EXPECT_LE(square_of_length(exact(gaps.lower[0])), gap);
+  EXPECT_GE(square_of_length(exact(gaps.upper[0])), gap);
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ namespace {
 using oracle::exact;
 using oracle::Rational;
 
-Rational squared(const Rational& x) { return x * x; }
+Rational square_of_number(const Rational& x) { return x * x; }
 
-PosedQuadric ball_at(double radius, const Vec3& centre) {
+PosedQuadric ball_in_contact(double radius, const Vec3& centre) {
   return PosedQuadric(Ellipsoid({radius, radius, radius}), {{}, centre});
 }
 
@@ -46,8 +46,8 @@ TEST(QuadricContactConstants, ABallAndAPointThatTouchAreNotApart) {
   const Vec3 centre{0x1.328960ff5b0c8p-2, 0x1.0b26b9614c7abp-4, 0x1.086656cd56249p-2};
   const Vec3 point{0x1.1f44fd01f88a9p+0, -0x1.c622f9b5de715p-2, 0x1.3531b7c5cc4edp-2};
   const double radius = 0x1.efcb20f6d2cebp-1;
-  ASSERT_LE(squared_between(centre, point), squared(exact(radius)));
-  const PosedQuadric a = ball_at(radius, centre);
+  ASSERT_LE(squared_between(centre, point), square_of_number(exact(radius)));
+  const PosedQuadric a = ball_in_contact(radius, centre);
   const PosedPolytope b(Point{point});
   EXPECT_FALSE(FastPair<PosedPolytope>(a, b, pair_frame(a, b)).is_apart());
 }
@@ -56,8 +56,8 @@ TEST(QuadricContactConstants, ABallAndAPointThatTouchAreNotApart) {
 TEST(QuadricContactConstants, BallsThatTouchAreNotApart) {
   const Vec3 centre{-0x1.b3cfb854f9c2ep-1, 0x1.dd16b4c06a792p-4, 0x1.337a11ca2d341p-1};
   const double r = 0x1.d211280f62129p-2, s = 0x1.2fa69ae3a5456p-1;
-  ASSERT_LE(squared_between(centre, {}), squared(exact(r) + exact(s)));
-  EXPECT_NE(ellipsoid_contact(ball_at(r, {}), ball_at(s, centre)), QuadricContact::apart);
+  ASSERT_LE(squared_between(centre, {}), square_of_number(exact(r) + exact(s)));
+  EXPECT_NE(ellipsoid_contact(ball_in_contact(r, {}), ball_in_contact(s, centre)), QuadricContact::apart);
 }
 
 // The bottom lies 64 roundings below the origin, and corners may be 117 too low.
@@ -92,8 +92,8 @@ TEST(QuadricContactConstants, VolumesOfSliversAreRounded) {
 TEST(QuadricContactConstants, ABallThatTouchesAnotherFromWithinIsHeld) {
   const double radius = 0x1.fcp+0, inner = 0x1.88p-1;
   const Vec3 centre{0x1.2p-2, 0x1.8p-2, -0x1.2p+0};
-  ASSERT_EQ(squared_between(centre, {}), squared(exact(radius) - exact(inner)));
-  const PosedQuadric a = ball_at(radius, {}), b = ball_at(inner, centre);
+  ASSERT_EQ(squared_between(centre, {}), square_of_number(exact(radius) - exact(inner)));
+  const PosedQuadric a = ball_in_contact(radius, {}), b = ball_in_contact(inner, centre);
   const PairFrame frame = pair_frame(a, b);
   EXPECT_NE(is_held(UnitFrame(QuadricBody(a, frame)), QuadricBody(b, frame)), Within::no);
 }
@@ -116,8 +116,8 @@ TEST(QuadricContactConstants, TheDistanceOfAnEndAndACornerIsRounded) {
   Rational lowest = oracle::dot(normal, exact(b.vertex(0)));
   for (Index i = 1; i < 8; ++i) lowest = std::min(lowest, oracle::dot(normal, exact(b.vertex(i))));
   const Rational gap = lowest - exact(half) * oracle::dot(normal, exact(turn_a.column(2)));
-  EXPECT_LE(squared(exact(found->lower)) * oracle::dot(normal, normal), squared(gap));
-  EXPECT_GE(squared(exact(found->upper)) * oracle::dot(normal, normal), squared(gap));
+  EXPECT_LE(square_of_number(exact(found->lower)) * oracle::dot(normal, normal), square_of_number(gap));
+  EXPECT_GE(square_of_number(exact(found->upper)) * oracle::dot(normal, normal), square_of_number(gap));
 }
 
 // The middle of a tiny box is in a needle, at its end.
@@ -138,7 +138,7 @@ TEST(QuadricContactConstants, ARayFromAfarThatGrazesABallIsRounded) {
   const Vec3 origin{-0x1.647b56fda77dp+8, -0x1.82d36f6687b2cp+9, -0x1.7ca59526f986bp+9};
   const Vec3 motion{0x1.235ed08520e6ep+9, 0x1.3d13a5c95fc67p+10, 0x1.376e62f31aa3ap+10};
   const Vec3 centre{-0x1.b938e1a7493b4p-1, 0x1.8edecf836a394p-2, 0x1.2eb00ca8d2c54p-2};
-  const Cast found = cast_ray(origin, motion, ball_at(1, centre));
+  const Cast found = cast_ray(origin, motion, ball_in_contact(1, centre));
   ASSERT_TRUE(found.hit);
   const auto from = exact(origin) - exact(centre);
   const Rational nearest = -oracle::dot(from, exact(motion)) / oracle::dot(exact(motion), exact(motion));
@@ -166,7 +166,7 @@ TEST(QuadricContactConstants, OtherVerticesAreRoundedWhereTheyAreFar) {
   const FastDistance found = proved_interval(needle, PosedPolytope(triangle), tip, vertex, across);
   const oracle::ConvexSet point{{exact(middle) + exact(Vec3{0, 0, 1})}, {}};
   EXPECT_GT(found.lower, 0);
-  EXPECT_LE(squared(exact(found.lower)),
+  EXPECT_LE(square_of_number(exact(found.lower)),
             oracle::squared_distance(point, oracle::triangle_set(triangle[0], triangle[1], triangle[2])));
 }
 
@@ -174,9 +174,9 @@ TEST(QuadricContactConstants, OtherVerticesAreRoundedWhereTheyAreFar) {
 TEST(QuadricContactConstants, ADepthBelowNormalDoublesIsRoundedDown) {
   const double r = 0x1.cda0e546aaf7p-1002, s = 0x1.797efaca4dbdap-1002;
   const Vec3 centre{-0x1.e19154e2f36adp-1002, -0x1.bfdcab4b8316p-1002, 0x1.0498b3fcca9dap-1001};
-  const Penetration found = penetration(ball_at(r, {}), ball_at(s, centre));
+  const Penetration found = penetration(ball_in_contact(r, {}), ball_in_contact(s, centre));
   EXPECT_GT(found.lower, 0);
-  EXPECT_GE(squared(exact(r) + exact(s) - exact(found.lower)), squared_between(centre, {}));
+  EXPECT_GE(square_of_number(exact(r) + exact(s) - exact(found.lower)), squared_between(centre, {}));
 }
 
 }  // namespace
