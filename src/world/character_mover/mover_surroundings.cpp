@@ -216,8 +216,8 @@ bool MoverSurroundings::is_kept_off(Candidate& candidate, const PlaneCast& plane
 /// What boxes and the faces of triangles leave.
 std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const MoverBody::Placed& start,
                                                                          const Vec3& motion,
-                                                                         const std::optional<PlaneCast>& planes,
                                                                          std::optional<Index> without) {
+  const std::optional<PlaneCast> planes = plane_cast(start, motion);
   const RoundedBox reach = reach_of_way(start, motion);
   std::vector<Candidate*> near;
   for (Candidate& candidate : candidates_) {
@@ -227,8 +227,7 @@ std::vector<MoverSurroundings::Candidate*> MoverSurroundings::on_the_way(const M
   return near;
 }
 
-/// No later than this something is met: the one that is nearest at the start is asked. What boxes tell to be met later
-/// need not be looked at.
+/// When the thing is met that is nearest at the start, and a little later; 1 where it is not.
 double MoverSurroundings::latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
                                       const Vec3& motion) {
   const RoundedBox at_start = reach_of_way(start, {});
@@ -245,13 +244,11 @@ double MoverSurroundings::latest_time(std::span<Candidate* const> near, const Mo
   return meeting ? std::min(1.0, meeting->time + 2 * same_time(motion)) : 1;
 }
 
-/// What boxes and planes leave, in the order of the times that these tell.
-std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const MoverBody::Placed& start,
-                                                                      const Vec3& motion,
-                                                                      std::optional<Index> without) {
+/// What boxes and planes leave until a time, in the order of the times that these tell.
+std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_of(std::span<Candidate* const> near,
+                                                                      const MoverBody::Placed& start,
+                                                                      const Vec3& motion, double latest) {
   const std::optional<PlaneCast> planes = plane_cast(start, motion);
-  const std::vector<Candidate*> near = on_the_way(start, motion, planes, without);
-  const double latest = near.size() > few_enough ? latest_time(near, start, motion) : 1;
   const RoundedBox reach = reach_of_way(start, latest * motion);
   std::vector<Waiting> waiting;
   for (Candidate* candidate : near) {
@@ -268,37 +265,47 @@ std::vector<MoverSurroundings::Waiting> MoverSurroundings::waiting_on(const Move
 
 /// What has a vertex of the body over a face when its planes leave it is looked at first: its distance is told by the
 /// face, and what lies in the same plane comes no sooner.
-std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
-                                                            std::optional<Index> without) {
-  look_around(widened(box_of_way(body_.box_at(position), motion), skin_));
-  const MoverBody::Placed start = body_.placed_at(position);
+MoverSurroundings::AllMet MoverSurroundings::met_of(std::span<const Waiting> waiting, const MoverBody::Placed& start,
+                                                    const Vec3& motion) const {
   const double same = same_time(motion);
-  std::vector<Met> met;
-  std::vector<Waiting> slow;
-  double first = 1;
+  AllMet all;
   const auto look_at = [&](const LevelElement& thing) {
-    const auto meeting = meeting_with(thing, start, motion, std::min(1.0, first + same));
+    const auto meeting = meeting_with(thing, start, motion, std::min(1.0, all.first + same));
     if (!meeting) return;
-    met.push_back(*meeting);
-    first = std::min(first, meeting->time);
+    all.met.push_back(*meeting);
+    all.first = std::min(all.first, meeting->time);
   };
-  for (const Waiting& next : waiting_on(start, motion, without)) {
-    if (next.times.earliest > first + same) break;
-    const MoverBody::Placed then = body_.placed_at(position + next.times.free * motion);
+  std::vector<Waiting> slow;
+  for (const Waiting& next : waiting) {
+    if (next.times.earliest > all.first + same) break;
+    const MoverBody::Placed then = body_.placed_at(start.position + next.times.free * motion);
     if (body_.bound_of(then, *next.thing).planes.is_exact)
       look_at(*next.thing);
     else
       slow.push_back(next);
   }
-  std::stable_sort(slow.begin(), slow.end(), [](const Waiting& a, const Waiting& b) {
-    return std::tuple(a.times.free, a.thing->object, a.thing->element) <
-           std::tuple(b.times.free, b.thing->object, b.thing->element);
+  std::sort(slow.begin(), slow.end(), [](const Waiting& a, const Waiting& b) {
+    return std::tie(a.times.free, a.thing->object, a.thing->element) <
+           std::tie(b.times.free, b.thing->object, b.thing->element);
   });
   for (const Waiting& next : slow) {
-    if (!met.empty() && next.times.free >= first - same) break;
-    if (next.times.earliest <= first + same) look_at(*next.thing);
+    if (!all.met.empty() && next.times.free >= all.first - same) break;
+    if (next.times.earliest <= all.first + same) look_at(*next.thing);
   }
-  return nearest_of(met, first, position, motion);
+  return all;
+}
+
+/// What is met later than the nearest thing need not be looked at, as long as something is found by then.
+std::optional<MoverMeeting> MoverSurroundings::first_around(const Vec3& position, const Vec3& motion,
+                                                            std::optional<Index> without) {
+  look_around(widened(box_of_way(body_.box_at(position), motion), skin_));
+  const MoverBody::Placed start = body_.placed_at(position);
+  const std::vector<Candidate*> near = on_the_way(start, motion, without);
+  const double latest = near.size() > few_enough ? latest_time(near, start, motion) : 1;
+  AllMet all = met_of(waiting_of(near, start, motion, latest), start, motion);
+  const bool is_late = all.met.empty() || all.first > latest;
+  if (latest < 1 && is_late) all = met_of(waiting_of(near, start, motion, 1), start, motion);
+  return nearest_of(all.met, all.first, position, motion);
 }
 
 std::optional<MoverMeeting> MoverSurroundings::first_far_on(const Vec3& position, const Vec3& motion,

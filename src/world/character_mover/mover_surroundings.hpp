@@ -58,6 +58,10 @@ class MoverSurroundings {
     const LevelElement* thing;
     bool is_proved = true;
   };
+  struct AllMet {
+    std::vector<Met> met;
+    double first = 1;  ///< the time of the first of them
+  };
   struct Waiting {
     PlaneCast::Times times;
     const LevelElement* thing;
@@ -86,13 +90,14 @@ class MoverSurroundings {
   [[nodiscard]] bool is_too_long_for_planes(const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_around(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without);
-  [[nodiscard]] std::vector<Waiting> waiting_on(const MoverBody::Placed& start, const Vec3& motion,
-                                                std::optional<Index> without);
   [[nodiscard]] std::vector<Candidate*> on_the_way(const MoverBody::Placed& start, const Vec3& motion,
-                                                   const std::optional<PlaneCast>& planes,
                                                    std::optional<Index> without);
   [[nodiscard]] double latest_time(std::span<Candidate* const> near, const MoverBody::Placed& start,
                                    const Vec3& motion);
+  [[nodiscard]] std::vector<Waiting> waiting_of(std::span<Candidate* const> near, const MoverBody::Placed& start,
+                                                const Vec3& motion, double latest);
+  [[nodiscard]] AllMet met_of(std::span<const Waiting> waiting, const MoverBody::Placed& start,
+                              const Vec3& motion) const;
   [[nodiscard]] RoundedBox reach_of_way(const MoverBody::Placed& start, const Vec3& motion) const;
   [[nodiscard]] std::optional<MoverMeeting> first_far_on(const Vec3& position, const Vec3& motion,
                                                          std::optional<Index> without) const;

@@ -13,7 +13,7 @@ namespace {
 constexpr double beyond_rounding = 1 + 0x1p-40;
 
 /// Later than any time of the way.
-constexpr double never = 2;
+constexpr double beyond_the_way = 2;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ PlaneCast::Heights PlaneCast::heights_over(const ThingPlanes::Plane& plane, doub
 
 double PlaneCast::free_of(const Heights& heights) const {
   if (!(heights.excess >= 0)) return 0;
-  return heights.approach <= reach_.parallel_speed ? never : heights.excess / heights.approach;
+  return heights.approach <= reach_.parallel_speed ? beyond_the_way : heights.excess / heights.approach;
 }
 
 bool PlaneCast::is_kept_off(const TriangleFace& face) const {
@@ -47,13 +47,13 @@ double PlaneCast::earliest_beside(const ThingPlanes& planes, const std::array<He
                                   double distance) const {
   const double spared = distance + reach_.spare + 4 * height_slack(planes.extent, 0);
   const double room = spared * spared * beyond_rounding - side * side;
-  if (!(room >= 0)) return never;
+  if (!(room >= 0)) return beyond_the_way;
   const double least_height = std::sqrt(room) * beyond_rounding;
   double earliest = 0;
   for (const Heights& heights : face) {
     const double excess = heights.excess + distance - least_height;
     if (!(excess >= 0)) continue;
-    earliest = std::max(earliest, heights.approach > 0 ? excess / heights.approach : never);
+    earliest = std::max(earliest, heights.approach > 0 ? excess / heights.approach : beyond_the_way);
   }
   return earliest;
 }
@@ -72,9 +72,10 @@ PlaneCast::Times PlaneCast::times_of(const ThingPlanes& planes) const {
     else
       side = std::max(side, heights.excess + distance - std::max(0.0, heights.approach));
   }
-  if (times.free > 1) return {never, never};
+  if (times.free > 1) return {beyond_the_way, beyond_the_way};
   if (planes.is_triangle && planes.count > 0)
-    times.earliest = std::max(times.earliest, earliest_beside(planes, face, side - reach_.spare, distance));
+    times.earliest =
+        std::max(times.earliest, earliest_beside(planes, face, std::max(0.0, side - reach_.spare), distance));
   return times;
 }
 
