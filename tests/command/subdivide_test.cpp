@@ -88,7 +88,7 @@ TEST_F(SubdivideCommand, WhatIsOfNoUseIsRefused) {
   EXPECT_EQ(run({"gen:box", "--within", "0.1", "--save-case", "case.json"}).exit_code, 0);
   const auto beside = run({"case.json", "--triangles", "4194304", "--within", "0.1"});
   EXPECT_EQ(beside.exit_code, 0) << beside.err;
-  names(beside.err, "as --triangles --within asks another");
+  names(beside.err, "as --within --triangles asks another");
 }
 
 TEST_F(SubdivideCommand, OfSurfacesThatCoincideItIsToldThatItIsUndecided) {

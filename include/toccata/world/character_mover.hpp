@@ -86,8 +86,8 @@ struct MoverStep {
 /// solid is left by its surface.
 ///
 /// Throws Error when a number is not finite, the motion too long to be added, an option is out of its range, the shape
-/// is of another kind, or an object of `moved` is not in the level; like `distance` for the poses; and naming the object
-/// when one of `moved` comes along that is larger or smaller than it was, or mirrored (RigidMotion::between).
+/// is of another kind, or an object of `moved` is not in the level; like `distance` for the poses; and naming the
+/// object when one of `moved` comes along that is larger or smaller than it was, or mirrored (RigidMotion::between).
 template <class Objects>
 [[nodiscard]] MoverStep<typename Objects::Id> move_character(
     const ObjectQueries<Objects>& level, const Model& shape, const MoverState<typename Objects::Id>& from,
