@@ -86,13 +86,13 @@ TEST_F(SubdivideCommand, WhatIsOfNoUseIsRefused) {
   names(refusal({"gen:box", "--solid", "all"}), "--solid tells what is taken for a solid where two objects");
   names(refusal({"gen:box", "--both"}), "--both is about two cages");
   EXPECT_EQ(run({"gen:box", "--within", "0.1", "--save-case", "case.json"}).exit_code, 0);
-  const auto beside = run({"case.json", "--triangles", "4194304"});
+  const auto beside = run({"case.json", "--triangles", "4194304", "--within", "0.1"});
   EXPECT_EQ(beside.exit_code, 0) << beside.err;
-  names(beside.err, "as --triangles asks another");
+  names(beside.err, "as --within --triangles asks another");
 }
 
 TEST_F(SubdivideCommand, OfSurfacesThatCoincideItIsToldThatItIsUndecided) {
-  const auto same = run({"gen:box", "gen:box", "--both", "--triangles", "4000"});
+  const auto same = run({"gen:box", "gen:box", "--both", "--triangles", "800"});
   EXPECT_EQ(same.exit_code, 1) << same.err;
   EXPECT_NE(same.out.find("whether they meet is undecided"), std::string::npos) << same.out;
   EXPECT_NE(same.out.find("not reached"), std::string::npos) << same.out;
