@@ -16,7 +16,7 @@ namespace {
 using oracle::exact;
 using oracle::Rational;
 
-Vec3 random_place(Random& random, double size) {
+Vec3 place_of_cast(Random& random, double size) {
   const double x = random.between(-size, size), y = random.between(-size, size);
   return {x, y, random.between(-size, size)};
 }
@@ -44,12 +44,12 @@ struct WayCase {
 
 WayCase random_way(Random& random) {
   WayCase one;
-  const Vec3 far = random.below(2) == 0 ? Vec3{} : random_place(random, 1000);
-  one.low = far + random_place(random, 0.2);
-  one.high = one.low + (random.below(3) == 0 ? random_place(random, 1) : Vec3{0, 0, 1});
-  const Vec3 to_middle = random_place(random, 1.2), middle = one.low + to_middle;
-  one.motion = random.below(2) == 0 ? random_place(random, 0.5) : to_middle;
-  for (Vec3& corner : one.triangle.vertex) corner = middle + random_place(random, 0.4);
+  const Vec3 far = random.below(2) == 0 ? Vec3{} : place_of_cast(random, 1000);
+  one.low = far + place_of_cast(random, 0.2);
+  one.high = one.low + (random.below(3) == 0 ? place_of_cast(random, 1) : Vec3{0, 0, 1});
+  const Vec3 to_middle = place_of_cast(random, 1.2), middle = one.low + to_middle;
+  one.motion = random.below(2) == 0 ? place_of_cast(random, 0.5) : to_middle;
+  for (Vec3& corner : one.triangle.vertex) corner = middle + place_of_cast(random, 0.4);
   if (random.below(4) == 0) one.triangle.vertex[2] = one.triangle[0] + 1.01 * (one.triangle[1] - one.triangle[0]);
   one.distance = random.between(0.1, 0.6);
   return one;
