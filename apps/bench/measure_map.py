@@ -4,9 +4,10 @@
 usage: measure_map.py TOCCATA-BENCH [--folder DIR] [--map NAME]… [--peers NAMES] [--minutes M] [--count N] [--again]
 
 A map is a table of cells; a cell is one call of a benchmark, which asks Toccata and the peers the same in one run and
-compares the answers. What has been measured is kept in DIR/NAME.json and not measured again for the same version unless
---again is given, so that a run may be stopped and goes on. DIR/NAME.svg is the picture. Exits with 1 where an answer of
-Toccata is wrong, 2 for trouble. The machine has to do nothing else meanwhile.
+compares the answers. What has been measured is kept in DIR/NAME.json after each cell, and not measured again by the same
+call of the same version unless --again is given, so that a run may be stopped and goes on. DIR/NAME.svg is the picture.
+Exits with 1 where an answer of Toccata is wrong, 2 for trouble, and where a cell has no answer. The machine has to do
+nothing else meanwhile.
 """
 import argparse
 import html
@@ -106,12 +107,16 @@ def p99_us(row):
     return row["p99_us"] if "p99_us" in row else row["p99_ns"] / 1000
 
 
-def measured(bench, one, peers, count_option, count):
-    """The cell with what it took; `failed` where there is no answer."""
+def whole_command(one, peers, count_option, count):
     command = one["command"] + [count_option, str(count), "--rounds", "3"]
     if peers:
         wanted = PEERS_OF_NEAREST if command[0] == "nearest" and "embree" in peers else peers
         command += ["--peer", wanted]
+    return command
+
+
+def measured(bench, one, command):
+    """The cell with what it took; `failed` where there is no answer."""
     made = subprocess.run([bench, *command, "--json"], capture_output=True, text=True)
     filled = {"row": one["row"], "column": one["column"], "command": command}
     if made.returncode == 2 or not made.stdout:
@@ -177,27 +182,38 @@ def summary(cells):
             "wrong": sum(one.get("wrong", 0) for one in cells), "failed": sum("failed" in one for one in cells)}
 
 
+def write_map(folder, name, cells):
+    title = MAPS[name][0]
+    told = {"format": "toccata-map-1", "name": name, "title": title, "summary": summary(cells), "cells": cells}
+    (folder / f"{name}.json").write_text(json.dumps(told, indent=1, ensure_ascii=False) + "\n")
+    if cells:
+        (folder / f"{name}.svg").write_text(drawn(title, cells))
+
+
 def measure(name, options, until):
-    title, cells_of, peers, count_option, count = MAPS[name]
+    _, cells_of, peers, count_option, count = MAPS[name]
     if options.peers is not None:
-        peers = ",".join(one for one in options.peers.split(",") if one in peers.split(","))
-    file = options.folder / f"{name}.json"
-    known = {}
+        peers = ",".join(one for one in peers.split(",") if one in options.peers.split(","))
+    file, version, known = options.folder / f"{name}.json", version_of(options.bench), {}
     if file.exists() and not options.again:
-        known = {(one["row"], one["column"]): one for one in json.loads(file.read_text())["cells"] if "failed" not in one}
+        known = {(one["row"], *one["command"]): one for one in json.loads(file.read_text())["cells"] if one.get("version") == version}
     cells = []
     for one in cells_of():
-        kept = known.get((one["row"], one["column"]))
+        command = whole_command(one, peers, count_option, options.count or count)
+        kept = known.get((one["row"], *command))
         if kept is None and time.monotonic() < until:
-            kept = measured(options.bench, one, peers, count_option, options.count or count)
+            kept = measured(options.bench, one, command)
             print(f"{name}: {kept['row']}, {kept['column']}: {' '.join(labels(kept))}", file=sys.stderr)
         if kept is not None:
             cells.append(kept)
-    file.write_text(json.dumps({"format": "toccata-map-1", "name": name, "title": title, "summary": summary(cells), "cells": cells},
-                               indent=1, ensure_ascii=False) + "\n")
-    if cells:
-        (options.folder / f"{name}.svg").write_text(drawn(title, cells))
+            write_map(options.folder, name, cells)
+    write_map(options.folder, name, cells)
     return summary(cells)
+
+
+def version_of(bench):
+    report = subprocess.run([bench, "triangle", "--count", "1", "--rounds", "1", "--json"], capture_output=True, text=True, check=True)
+    return json.loads(report.stdout)["version"]
 
 
 def main():
@@ -212,15 +228,23 @@ def main():
     options = parser.parse_args()
     if options.count is not None and options.count < 1:
         parser.error("--count: at least 1 is needed")
+    every_peer = {peer for one in MAPS.values() for peer in one[2].split(",")}
+    for peer in filter(None, (options.peers or "").split(",")):
+        if peer not in every_peer:
+            parser.error(f"--peers: there is no {peer}; known are {', '.join(sorted(every_peer))}")
     options.folder.mkdir(parents=True, exist_ok=True)
     until = time.monotonic() + 60 * options.minutes
-    wrong = 0
+    wrong = failed = 0
     for name in options.map or MAPS:
         found = measure(name, options, until)
-        wrong += found["wrong"]
+        wrong, failed = wrong + found["wrong"], failed + found["failed"]
         print(f"{name}: " + ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in found.items()))
-    return 1 if wrong else 0
+    return 1 if wrong else 2 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except (OSError, ValueError, KeyError, subprocess.CalledProcessError) as error:
+        print(f"bench map: {type(error).__name__}: {error}", file=sys.stderr)
+        sys.exit(2)

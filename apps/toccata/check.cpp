@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <system_error>
 
@@ -69,10 +70,11 @@ DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::str
     double given = 0;
     const char* const end = word.data() + word.size();
     const auto [rest, error] = std::from_chars(word.data(), end, given);
-    if (error == std::errc{} && rest == end && given > 0)
+    if (error == std::errc{} && rest == end && given > 0 && std::isfinite(given))
       number = given;
     else if (!word.empty())
-      warnings.push_back(fmt::format("{} {} is not a number above 0: answered {}", name, printable(word), instead));
+      warnings.push_back(
+          fmt::format("{} {} is not a finite number above 0: answered {}", name, printable(word), instead));
   };
   take(arguments.precision_word, "--precision", depth.precision, fmt::format("with {}", depth.precision));
   take(arguments.time_limit_word, "--time-limit", depth.time_limit, "without a limit");

@@ -76,7 +76,10 @@ int run_subdivide(const SubdivideArguments& arguments, const std::vector<std::st
   require_mesh_output(arguments, arguments.mesh);
   const AlsoWritten mesh = [&](const CheckInput& input, const SceneAnswer& answer) {
     const auto* report = std::get_if<SubdivideReport>(&answer);
-    if (arguments.mesh.empty() || report == nullptr || !report->mesh) return std::string();
+    if (arguments.mesh.empty() || report == nullptr) return std::string();
+    if (!report->mesh)
+      throw Error(
+          "-o writes the mesh of one cage, and what is asked here is how far two objects are apart: leave it out");
     write_mesh_output({[&] { return report->mesh->mesh; }, [&] { return limit_object(*report); }},
                       input.loaded.scene.unit, arguments.mesh);
     return fmt::format("{}: {}.\n", printable(arguments.mesh),
@@ -95,7 +98,9 @@ std::string table_of(const CheckInput&, const SubdivideReport& report) {
                                  counted(report.faces, "face"));
   text += report.mesh ? ": " + limit_text(*report.mesh) : ", and the other object: " + gap_text(report);
   const Status status = report.mesh ? report.mesh->status : report.gap->status;
-  if (status == Status::not_converged)
+  if (status == Status::not_converged && report.mesh && report.mesh->distance_to_limit <= report.within)
+    text += ".\nSo many levels as --levels asks for were not reached: raise --triangles";
+  else if (status == Status::not_converged)
     text += fmt::format(
         ".\n{:.3g} was asked for, and not reached: {}", report.within,
         report.mesh ? "raise --triangles or --within"

@@ -7,6 +7,7 @@
 
 #include "query/ask_each.hpp"
 #include "query/nearest/nearest_search.hpp"
+#include "query/penetration/solid_penetration.hpp"
 #include "query/rays/ray_search.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/distance.hpp"
@@ -127,6 +128,7 @@ std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>
 
 std::vector<DepthBracket> depth_bracket_each(const Batch<PairQuery>& batch, const DepthOptions& depth,
                                              const BatchOptions& options) {
+  require_usable(depth);
   return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
     return depth_bracket(a, b, query, depth, workspace);
   });

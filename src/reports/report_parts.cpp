@@ -73,8 +73,13 @@ void add_depth_options(Json& json, const DepthOptions& depth) {
 
 DepthOptions depth_options_of(const JsonValue& question) {
   DepthOptions depth;
-  if (question.has("precision")) depth.precision = question.at("precision").number();
-  if (question.has("time_limit")) depth.time_limit = question.at("time_limit").number();
+  const auto take = [&](const char* key, double& number, const char* advice) {
+    if (!question.has(key)) return;
+    number = question.at(key).number();
+    if (!(number > 0)) question.at(key).fail("this is not above 0", advice);
+  };
+  take("precision", depth.precision, "0.1 asks for a bracket that is 10 % wide");
+  take("time_limit", depth.time_limit, "give seconds, or leave it out for no limit");
   return depth;
 }
 

@@ -228,11 +228,11 @@ def locations(folder):
 
 def subdivisions(folder):
     """The mesh of a cage, and how far its limit is from another object and another limit."""
-    (folder / "creases.txt").write_text("crease 0 1\ncorner 7 1.5\n")
+    (folder / "creases.txt").write_text("crease 0 2\ncorner 7 1.5\n")
     mesh = asked(folder, "subdivide", "scenes/a.obj", "--within", "0.3", "--levels", "1", "--crease-angle", "170")
     assert mesh["status"] == "exact" and mesh["triangles"], mesh["status"]
     yield mesh
-    yield asked(folder, "subdivide", "gen:icosphere,levels=0", "--scheme", "loop", "--triangles", "100", "--creases",
+    yield asked(folder, "subdivide", "gen:icosphere?subdivisions=0", "--scheme", "loop", "--triangles", "100", "--creases",
                 "creases.txt")
     away = ["--pose-b", *"1 0 0 0 1 0 0 0 1 9 0 0".split()]
     for second in [[], ["--both"]]:

@@ -256,6 +256,11 @@ TEST(SubdivisionCage, RefusesWhatIsNoSurface) {
         SubdivisionCage({three, {0, 1, 2}, {0, 2}}, SubdivisionScheme::loop);
       },
       "end with the number of corners");
+  // Four triangles, each from both sides, around six vertices: two of them at every vertex.
+  const std::vector<std::vector<Index>> doubled{{0, 1, 2}, {2, 1, 0}, {0, 3, 4}, {4, 3, 0},
+                                                {1, 3, 5}, {5, 3, 1}, {2, 4, 5}, {5, 4, 2}};
+  const std::vector<Vec3> six{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {2, 1, 0}};
+  expect([&] { cage(six, doubled, SubdivisionScheme::loop); }, "are one triangle from two sides");
   expect([&] { cage(four, {{0, 1, 2}}); }, "vertex 3 of the cage, at (0, 0, 1), is of no face");
   expect([&] { cage(three, {{0, 1, 2, 1}}); }, "twice");
   expect([&] { cage(five, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}); }, "more than two faces");

@@ -59,11 +59,11 @@ class Model {
 
   /// Gives the mesh other vertices, as many as it has, as a simulation does step by step: the tree keeps its shape, its
   /// boxes are put around the moved triangles, and it is built anew once they have grown too much
-  /// (Refit::should_rebuild; the answer is what was found before that). No answer depends on which was done, but for
-  /// generalised winding numbers: theirs may be another within the same bounds, for which triangles are summed together
-  /// is a matter of the tree. Other copies of the model stay as they are; a model of which there are none gives its
-  /// tree up instead of copying it. Throws Error when it is no mesh, for another number of vertices, and when one is
-  /// not finite; it then stays as it was.
+  /// (Refit::should_rebuild; the answer is what was found before that). No answer depends on which was done, but two
+  /// that the tree decides: which triangles a distance of meshes that meet names, and generalised winding numbers,
+  /// within the same bounds. Other copies of the model stay as they are; a model of which there are none gives its tree
+  /// up instead of copying it. Throws Error when it is no mesh, for another number of vertices, and when one is not
+  /// finite; it then stays as it was.
   Refit deform(std::vector<Vec3> vertices, int threads = own_thread);
 
   [[nodiscard]] const Shape& shape() const;

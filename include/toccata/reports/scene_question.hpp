@@ -134,7 +134,7 @@ struct SubdivideQuestion {
   /// The tolerance in world units; 0: a thousandth of the diagonal of the cage's box, of two objects a millionth.
   double within = 0;
   int levels = 0;                                     ///< as in RefinementOptions
-  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two objects max_faces of LimitQuery
+  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two LimitQuery::max_faces
   CageFeatures features{};                            ///< of the first object, by the vertices of its mesh
   std::optional<double> crease_angle = std::nullopt;  ///< edges that turn by more are creases; in degrees
   bool both = false;                                  ///< the second object is a cage, too, of the same scheme

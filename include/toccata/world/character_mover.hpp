@@ -87,7 +87,7 @@ struct MoverStep {
 ///
 /// Throws Error when a number is not finite, the motion too long to be added, an option is out of its range, the shape
 /// is of another kind, or an object of `moved` is not in the level; like `distance` for the poses; and naming the
-/// object when one of `moved` comes along that is larger or smaller than it was, or mirrored (RigidMotion::between).
+/// object when one of `moved` pushes it that is larger or smaller than it was, or mirrored (RigidMotion::between).
 template <class Objects>
 [[nodiscard]] MoverStep<typename Objects::Id> move_character(
     const ObjectQueries<Objects>& level, const Model& shape, const MoverState<typename Objects::Id>& from,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "query/ask.hpp"
+#include "query/penetration/depth_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -39,8 +40,12 @@ struct AskDepth {
 DepthBracket depth_of(const Model& a, const Model& b, const PairQuery& query, const PosedModelPair& models,
                       const DepthOptions& options, Workspace& workspace) {
   if (!is_one_shape(a) || !is_one_shape(b)) return depth_of_solids(a, b, query, models, options, workspace);
-  return {std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape)};
+  const Penetration depth = std::visit(AskDepth{workspace.scratch()}, models.a.parts[0].shape, models.b.parts[0].shape);
+  const bool is_precise = depth.status == Status::exact || DepthLimit(options).is_narrow(depth);
+  return {depth, is_precise ? DepthEnd::precise : DepthEnd::exhausted};
 }
+
+}  // namespace
 
 void require_usable(const DepthOptions& options) {
   if (!(options.precision > 0) || !std::isfinite(options.precision))
@@ -51,8 +56,6 @@ void require_usable(const DepthOptions& options) {
     throw Error(fmt::format("penetration: the time limit is {}; give seconds above 0, or infinity for none",
                             options.time_limit));
 }
-
-}  // namespace
 
 Penetration penetration(const Model& a, const Model& b, const PairQuery& query) {
   Workspace workspace;

@@ -68,14 +68,14 @@ bool SeparatingSearch::try_translation(const Vec3& direction, double length) {
 void SeparatingSearch::try_along(const Vec3& direction, double length) {
   // Beyond the surface by what `parted` wants to see between the two, were they at 5 degrees to the direction.
   if (try_translation(direction, length + 16 * slack(length))) return;
-  for (double stretch = first_stretch; length * stretch < best_.upper; stretch *= stretch)
+  for (double stretch = first_stretch; length * stretch < best_.upper && !limit_.is_over(); stretch *= stretch)
     if (try_translation(direction, length * stretch)) return shorten(4);
 }
 
 /// Along the best direction.
 void SeparatingSearch::shorten(int steps) {
   double separation = best_.upper, meeting = best_.lower;
-  for (int i = 0; i < steps; ++i) {
+  for (int i = 0; i < steps && !limit_.is_over(); ++i) {
     const double middle = meeting + (separation - meeting) / 2;
     (try_translation(best_.direction, middle) ? separation : meeting) = middle;
   }
@@ -159,12 +159,13 @@ Penetration SeparatingSearch::answer(const Penetration& known) {
   reach_ = 2 * best_.upper;  // what is farther off hardly bounds a way out; with twice that brackets were the same
   const std::vector<const InnerPart*> parts_of_b = b_.convex_parts();
   for (const InnerPart* a : a_.convex_parts())
-    for (const InnerPart* b : parts_of_b) add({a, b});
+    for (const InnerPart* b : parts_of_b)
+      if (!limit_.is_over()) add({a, b});
   if (!limit_.is_over()) add_parts({}, first_seeds);
   if (!is_done()) shorten(10);
   if (!is_done()) cover();
   if (!is_done()) turn();
-  if (!limit_.is_over()) shorten(24);
+  shorten(24);
   return best_;
 }
 

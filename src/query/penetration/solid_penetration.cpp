@@ -222,9 +222,10 @@ class BodyDepth {
     const bool has_few = triangle_count(models_.a) + triangle_count(models_.b) < few_triangles;
     if (has_few || !is_local_first_ || !look_at_the_place()) search();
     bracket_.status = bracket_.upper <= 1.5 * bracket_.lower ? Status::exact : Status::not_converged;
+    const DepthEnd end = has_points_ ? DepthEnd::precise : limit_.end_of(bracket_);
     if (!has_points_)
       add_points(bracket_, distance(a_, b_, moved(query_, bracket_.upper * bracket_.direction), workspace_));
-    return {bracket_, limit_.end_of(bracket_)};
+    return {bracket_, end};
   }
 
  private:
@@ -243,6 +244,7 @@ class BodyDepth {
   }
 
   void search() {
+    if (bracket_.upper < infinity && limit_.is_over()) return;
     SolidBody body_a(models_.a), body_b(models_.b);
     if (is_known_as_one(body_a, body_b)) return;
     if (is_local_first_ && !was_looked_at_ && look_at_the_place()) return;

@@ -17,6 +17,9 @@ namespace toccata {
                                            const PosedModelPair& models, const DepthOptions& options,
                                            Workspace& workspace);
 
+/// Throws Error where a number is not as DepthOptions tells.
+void require_usable(const DepthOptions& options);
+
 /// What is told of two models in contact that lie so: nothing unless both are solids, the table of pairs.hpp defines
 /// it, and they may be parted.
 [[nodiscard]] std::optional<DepthBracket> depth_where_defined(const Model& a, const Model& b, const PairQuery& query,

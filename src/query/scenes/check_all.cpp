@@ -276,6 +276,7 @@ class Check {
 }  // namespace
 
 CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options) {
+  require_usable(options.depth);
   return Check(models, options).answer();
 }
 

@@ -87,6 +87,18 @@ void require_cage_vertex(const LevelMesh& mesh, Index vertex, SubdivisionScheme 
                 " lies between two triangles and nothing else, which are the same from two sides: leave one out");
 }
 
+/// Three sides that it shares with one other triangle: Loop's rule has no limit for what is the same from two sides.
+void require_not_doubled(const LevelMesh& mesh, Index face, const CageNames& names) {
+  Index other = no_index;
+  for (Index side = mesh.first_side[face]; side < mesh.first_side[face + 1]; ++side) {
+    const Index twin = mesh.twin(side);
+    if (twin == no_index || (other != no_index && mesh.face_of_side[twin] != other)) return;
+    other = mesh.face_of_side[twin];
+  }
+  throw Error(fmt::format("{} and {} are one triangle from two sides: leave one out", names.face(std::min(face, other)),
+                          names.face(std::max(face, other))));
+}
+
 void require_sharpness(double sharpness, const std::string& what) {
   if (!(sharpness >= 0)) throw Error("the sharpness of " + what + " must be at least 0; infinite is sharp for ever");
 }
@@ -101,7 +113,7 @@ void require_features(const LevelMesh& mesh, const CageFeatures& features, const
                       crease.first, crease.second, mesh.points.size()));
     const std::string edge = names.edge(crease.first, crease.second);
     if (mesh.edge_between(crease.first, crease.second) == no_index)
-      throw Error(fmt::format("a crease names {}, which is no edge of the cage", edge));
+      throw Error(fmt::format("a crease names {} which is no edge of the cage", edge));
     require_sharpness(crease.sharpness, edge);
   }
   for (const CageCorner& corner : features.corners) {
@@ -141,6 +153,8 @@ LevelMesh checked_level(const PolygonMesh& polygons, SubdivisionScheme scheme, c
   mesh.connect();
   for (Index v = 0; v < mesh.points.size(); ++v) require_surface_at(mesh, v, names);
   for (Index v = 0; v < mesh.points.size(); ++v) require_cage_vertex(mesh, v, scheme, names);
+  if (scheme == SubdivisionScheme::loop)
+    for (Index f = 0; f < mesh.face_count(); ++f) require_not_doubled(mesh, f, names);
   require_features(mesh, features, names);
   return mesh;
 }

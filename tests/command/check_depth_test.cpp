@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using DepthJson = nlohmann::json;
+
+/// Two knots that hold each other in several places.
+std::vector<std::string> depth_of_knots(std::vector<std::string> more) {
+  std::vector<std::string> words{"check", "gen:torus-knot?around=40&sides=6", "gen:torus-knot?around=40&sides=6",
+                                 "--penetration", "--pose-b"};
+  for (const char* number : {"1", "0", "0", "0", "1", "0", "0", "0", "1", "0.7", "0.1", "0"})
+    words.emplace_back(number);
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+DepthJson reported_depth(std::vector<std::string> more) {
+  more.emplace_back("--json");
+  const auto run = test::run_command(depth_of_knots(std::move(more)));
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  return DepthJson::parse(run.out);
+}
+
+TEST(CheckDepth, PrecisionAndTimeLimitAreAskedAndTheEndIsTold) {
+  const DepthJson wide = reported_depth({"--precision", "50"});
+  EXPECT_EQ(wide["asked"]["query"]["precision"], 50);
+  EXPECT_FALSE(wide["pairs"][0]["penetration"].contains("ended"));
+  const DepthJson soon = reported_depth({"--time-limit", "1e-9"});
+  EXPECT_EQ(soon["asked"]["query"]["time_limit"], 1e-9);
+  const DepthJson depth = soon["pairs"][0]["penetration"];
+  EXPECT_EQ(depth["ended"], "out of time");
+  // The bracket holds all the same: that of a longer search has a depth in common with it.
+  EXPECT_LE(depth["lower"], wide["pairs"][0]["penetration"]["upper"]);
+  EXPECT_GE(depth["upper"], wide["pairs"][0]["penetration"]["lower"]);
+}
+
+TEST(CheckDepth, WhatIsNoNumberAboveZeroIsToldAndLeftOut) {
+  for (const char* word : {"0", "-1", "nan", "inf", "10%", "much"}) {
+    SCOPED_TRACE(word);
+    const auto precise = test::run_command(depth_of_knots({"--precision", word}));
+    EXPECT_EQ(precise.exit_code, 1);
+    EXPECT_NE(
+        precise.err.find(std::string("--precision ") + word + " is not a finite number above 0: answered with 0.1"),
+        std::string::npos)
+        << precise.err;
+    const auto timed = test::run_command(depth_of_knots({"--time-limit", word}));
+    EXPECT_EQ(timed.exit_code, 1);
+    EXPECT_NE(timed.err.find(std::string("--time-limit ") + word + " is not a finite number above 0"),
+              std::string::npos)
+        << timed.err;
+  }
+}
+
+TEST(CheckDepth, ACaseWithAPrecisionThatIsNoneIsRefused) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(test::run_command(depth_of_knots({"--save-case", "case.json"}), folder.path()).exit_code, 1);
+  EXPECT_EQ(test::run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
+  DepthJson kept = DepthJson::parse(test::text_of(folder / "case.json"));
+  kept["query"]["precision"] = -3;
+  folder.write("case.json", kept.dump());
+  const auto run = test::run_command({"replay", "case.json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("/query/precision: this is not above 0"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace toccata
