@@ -10,6 +10,7 @@
 #include "core/no_index.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/subdivision/cage_checks.hpp"
+#include "shapes/union_find.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/trigonometry.hpp"
 
@@ -33,25 +34,6 @@ std::vector<Index> first_of_place(const TriangleMesh& mesh) {
   }
   return first;
 }
-
-/// Sets of vertices that are one, each with the first of them for its name.
-class OneVertices {
- public:
-  explicit OneVertices(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index first_of(Index v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(Index a, Index b) {
-    a = first_of(a);
-    b = first_of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// A side of a face that no other face shares, and where it is, whichever way it goes.
 struct OpenSide {
@@ -80,13 +62,13 @@ std::vector<OpenSide> open_sides(const PolygonMesh& faces, const std::vector<Ind
 
 /// The vertices that open sides at the same place have: these are seams, or all sides where every face has vertices of
 /// its own. Faces that touch in a vertex only, and closed parts that touch, are joined no more than the mesh has them.
-OneVertices vertices_at_seams(const TriangleMesh& mesh, const PolygonMesh& faces) {
-  OneVertices vertices(mesh.vertices().size());
+UnionFind vertices_at_seams(const TriangleMesh& mesh, const PolygonMesh& faces) {
+  UnionFind vertices(mesh.vertices().size());
   std::vector<OpenSide> open = open_sides(faces, first_of_place(mesh));
   std::sort(open.begin(), open.end(), [](const OpenSide& a, const OpenSide& b) { return a.place < b.place; });
   for (std::size_t i = 1; i < open.size(); ++i)
     for (std::size_t end = 0; end < 2 && open[i].place == open[i - 1].place; ++end)
-      vertices.join(open[i - 1].ends[end], open[i].ends[end]);
+      vertices.unite(open[i - 1].ends[end], open[i].ends[end]);
   return vertices;
 }
 
@@ -157,12 +139,12 @@ Vec3 face_direction(const LevelMesh& mesh, Index face) {
 
 CagePolygons cage_polygons(const TriangleMesh& mesh) {
   CagePolygons cage{polygons_of_mesh(mesh), std::vector<Index>(mesh.vertices().size(), no_index)};
-  OneVertices vertices = vertices_at_seams(mesh, cage.polygons);
+  UnionFind vertices = vertices_at_seams(mesh, cage.polygons);
   std::vector<char> is_used(mesh.vertices().size(), 0);
-  for (const Index corner : cage.polygons.corners) is_used[corner] = is_used[vertices.first_of(corner)] = 1;
+  for (const Index corner : cage.polygons.corners) is_used[corner] = is_used[vertices.leader(corner)] = 1;
   for (Index i = 0; i < is_used.size(); ++i) {
     if (!is_used[i]) continue;
-    const Index first = vertices.first_of(i);
+    const Index first = vertices.leader(i);
     if (first == i) {
       cage.vertex_of[i] = static_cast<Index>(cage.polygons.vertices.size());
       cage.polygons.vertices.push_back(mesh.vertices()[i]);

@@ -182,9 +182,9 @@ RoundedBox MoverBody::reached_in(const Aabb& box) const {
   return {{box.lower + by, box.upper - by}, radius_ + slack};
 }
 
-MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing, double enough) const {
+MoverBody::Bound MoverBody::bound_of(const Placed& placed, const LevelElement& thing) const {
   const double radii = radius_ + thing.planes.radius;
-  const PlaneGap gap = plane_gap(placed.corners, thing.planes, enough + radii);
+  const PlaneGap gap = plane_gap(placed.corners, thing.planes);
   return {gap.distance - radii, gap};
 }
 

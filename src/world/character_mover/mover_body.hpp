@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -97,8 +96,7 @@ class MoverBody {
     double distance;
     PlaneGap planes;
   };
-  [[nodiscard]] Bound bound_of(const Placed& placed, const LevelElement& thing,
-                               double enough = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] Bound bound_of(const Placed& placed, const LevelElement& thing) const;
 
  private:
   using Set = std::variant<PosedPolytope, PosedQuadric>;

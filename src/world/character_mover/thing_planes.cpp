@@ -114,12 +114,12 @@ double height_slack(const FewCorners& above, const ThingPlanes& planes) {
   return height_slack(above.extent, planes.extent);
 }
 
-PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes, double enough) {
+PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes) {
   PlaneGap best{-infinity};
   if (above.count == 0) return best;
   const double slack = height_slack(above, planes);
   std::size_t face = 0;
-  for (std::size_t p = 0; p < planes.count && best.distance < enough; ++p) {
+  for (std::size_t p = 0; p < planes.count; ++p) {
     const ThingPlanes::Plane& plane = planes.planes[p];
     const double gap = above.lowest_along(plane.normal) - plane.top - slack;
     if (!(gap > best.distance)) continue;

@@ -82,8 +82,7 @@ inline constexpr double height_error = 0x1p-48;
 }
 [[nodiscard]] double height_slack(const FewCorners& above, const ThingPlanes& planes);
 
-/// By the first plane that is `enough`, or else the best.
-[[nodiscard]] PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes,
-                                 double enough = std::numeric_limits<double>::infinity());
+/// By the best plane.
+[[nodiscard]] PlaneGap plane_gap(const FewCorners& above, const ThingPlanes& planes);
 
 }  // namespace toccata
