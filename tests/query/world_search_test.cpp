@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
+#include "math/vec3_measures.hpp"
+#include "query/posed_shape.hpp"
 #include "support/mesh_soups.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata {
 namespace {
@@ -72,6 +76,81 @@ TEST(WorldSearch, NothingThatMeetsAHalfSpaceIsLost) {
       all += mesh.model().mesh().triangle_count();
     }
   EXPECT_LT(shown, all * 3 / 4) << "the tree tells few apart";
+}
+
+/// A body through or beside a vertex of the mesh, long and thin or flat, and across the axes.
+struct ThinBody {
+  std::variant<PosedPolytope, PosedQuadric> posed;
+};
+
+ThinBody thin_body(const Vec3& at, double size, Random& random) {
+  const Vec3 way = test::random_vector(random, size), across = test::random_vector(random, size);
+  Pose pose{test::random_rotation(random), at};
+  switch (random.below(7)) {
+    case 0:
+      return {PosedPolytope(Segment{at - way, at + way})};
+    case 1:
+      return {PosedPolytope(Segment{at, at + way})};
+    case 2:
+      return {PosedPolytope(Triangle{{at - way, at + way, at + across}})};
+    case 3:
+      return {PosedPolytope(Capsule({-size, 0, 0}, {size, 0, 0}, 0.01 * size), pose)};
+    case 4:
+      return {PosedPolytope(Box({size, 0.01 * size, 0.02 * size}), pose)};
+    case 5:
+      return {PosedQuadric(Cylinder(0.01 * size, size), pose)};
+    default:
+      pose.linear[0] = pose.linear[0] + 0.2 * pose.linear[1];  // no rotation
+      return {PosedQuadric(Ellipsoid({0.01 * size, size, size}), pose)};
+  }
+}
+
+TEST(WorldSearch, NothingThatMeetsAThinBodyIsLost) {
+  std::size_t shown = 0, of_boxes = 0, meeting = 0;
+  for (const std::string& family : test::pose_families())
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      SCOPED_TRACE(family + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const Pose pose = test::random_poses(family, random).pose_a;
+      const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
+      const Aabb& all = mesh.box();
+      const double size = random.between(0.05, 1) * largest_magnitude(all.upper - all.lower);
+      const ThinBody body = thin_body(random_vertex(mesh, random), size, random);
+      std::visit(
+          [&](const auto& posed) {
+            const Aabb box = world_box(posed);
+            std::vector<Index> visited;
+            visit_triangles_near(mesh, box, BodyRanges(posed, box), [&](Index triangle) {
+              visited.push_back(triangle);
+              return true;
+            });
+            std::sort(visited.begin(), visited.end());
+            for (Index i = 0; i < mesh.model().mesh().triangle_count(); ++i) {
+              if (!overlap(PosedPolytope(mesh.triangle(i)), posed)) continue;
+              ++meeting;
+              EXPECT_TRUE(std::binary_search(visited.begin(), visited.end(), i)) << i;
+            }
+            shown += visited.size();
+            of_boxes += near(mesh, box).size();
+          },
+          body.posed);
+    }
+  EXPECT_GT(meeting, 60U);
+  EXPECT_LT(shown, of_boxes / 2) << "the directions tell few apart";
+}
+
+/// Its box holds half of the mesh, and it is near to a few triangles.
+TEST(WorldSearch, ASegmentAcrossAFineMeshLooksAtFewTriangles) {
+  const PosedMesh mesh(Model(icosphere_mesh(1, 5)), {});
+  const PosedPolytope segment(Segment{{-1, -1, -1}, {1, 1, 1}});
+  const Aabb box = world_box(segment);
+  std::size_t seen = 0;
+  visit_triangles_near(mesh, box, BodyRanges(segment, box), [&](Index) {
+    ++seen;
+    return true;
+  });
+  EXPECT_GE(seen, 2U);
+  EXPECT_LE(seen, 40U) << "of " << mesh.model().mesh().triangle_count();
 }
 
 TEST(WorldSearch, AsBruteForceForBoxes) {

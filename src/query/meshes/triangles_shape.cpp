@@ -15,7 +15,9 @@ namespace {
 /// false.
 template <class Bounded, class See>
 void visit_near(const PosedMesh& mesh, const Bounded& shape, const See& see) {
-  visit_triangles_near(mesh, world_box(shape), [&](Index i) { return see(i, PosedPolytope(mesh.triangle(i))); });
+  const Aabb box = world_box(shape);
+  visit_triangles_near(mesh, box, BodyRanges(shape, box),
+                       [&](Index i) { return see(i, PosedPolytope(mesh.triangle(i))); });
 }
 
 template <class See>

@@ -135,8 +135,15 @@ void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_spac
 }
 
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit) {
+  visit_triangles_near(mesh, region, {}, visit);
+}
+
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const BodyRanges& body,
+                          FunctionRef<bool(Index)> visit) {
   if (!overlap(mesh.box(), region)) return;
-  walk_probe(mesh.model().wide_bvh(), probe_of(mesh, region),
+  WideProbe probe = probe_of(mesh, region);
+  for (const BodyRange& one : body.all()) add_usable(along(mesh, one.direction, one.range, body.reach()), mesh, probe);
+  walk_probe(mesh.model().wide_bvh(), probe,
              [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
 }
 

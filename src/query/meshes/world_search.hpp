@@ -1,5 +1,6 @@
 #pragma once
 
+#include "query/meshes/body_ranges.hpp"
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/function_ref.hpp"
 #include "toccata/narrow/convex_convex.hpp"
@@ -15,6 +16,11 @@ namespace toccata {
 /// boxes meet it, in no particular but always the same order; ends early when `visit` returns false. The upper side of
 /// the region may be infinite along one axis: the ray from p along +x is {p, {∞, p.y, p.z}}.
 void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef<bool(Index)> visit);
+
+/// The same of a body that lies in the region and in the ranges: also without triangles that one of these tells from
+/// it.
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const BodyRanges& body,
+                          FunctionRef<bool(Index)> visit);
 
 /// A triangle in the world, with its box.
 struct MeshTriangle {

@@ -11,6 +11,9 @@ namespace {
 /// More rounds than any way out takes that there is.
 constexpr int most_recovery_rounds = 16;
 
+/// No free place is looked for that is nearer than that, where a way out was farther than the body is large.
+constexpr double least_part_of_size = 0x1p-3;
+
 bool are_overlapping(std::span<const NearThing> near) {
   return std::any_of(near.begin(), near.end(), [](const NearThing& thing) { return thing.gap.distance <= 0; });
 }
@@ -52,6 +55,23 @@ std::optional<Vec3> MoverWalk::out_of_solid(const Vec3& position, const Searched
   return position - (depth.upper + setting_.skin) * depth.direction;
 }
 
+bool MoverWalk::is_free(const Vec3& position) {
+  return around_.things_within(position, setting_.too_near()).empty() && !around_.holder_of(position);
+}
+
+/// Planes of things that nearly face each other meet far away. Where that led farther than the body is large, a free
+/// place is looked for half as far or less, in the directions of the sides, edges and corners of a cube.
+std::optional<Vec3> MoverWalk::nearer_place(const Vec3& position, double distance) {
+  double shorter = distance;
+  while (shorter > least_part_of_size * around_.body().size()) shorter /= 2;
+  for (; shorter < distance; shorter *= 2)
+    for (int code = 0; code < 27; ++code) {
+      const Vec3 way = normalized(Vec3{code % 3 - 1.0, code / 3 % 3 - 1.0, code / 9 - 1.0});
+      if (way != Vec3{} && is_free(position + shorter * way)) return position + shorter * way;
+    }
+  return {};
+}
+
 RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects& objects) {
   RecoveredPlace place{position};
   if (const auto outside = out_of_solid(position, objects)) place.position = *outside;
@@ -66,6 +86,9 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
     place.position += (met ? met->time : 1) * *motion;
     near = around_.things_within(place.position, setting_.too_near());
   }
+  const double pushed = length(place.position - position);
+  if (near.empty() && pushed > around_.body().size())
+    if (const auto nearer = nearer_place(position, pushed)) place.position = *nearer;
   place.stuck = are_overlapping(near) || around_.holder_of(place.position).has_value();
   place.tight = !near.empty();
   return place;

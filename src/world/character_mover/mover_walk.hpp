@@ -100,6 +100,8 @@ class MoverWalk {
   [[nodiscard]] bool stands_on_edge(const NearThing& near, const Vec3& position) const;
   [[nodiscard]] std::optional<Vec3> way_out(const Vec3& position, std::vector<NearThing> near,
                                             std::span<const Plane> blocking) const;
+  [[nodiscard]] bool is_free(const Vec3& position);
+  [[nodiscard]] std::optional<Vec3> nearer_place(const Vec3& position, double distance);
   [[nodiscard]] std::optional<Vec3> out_of_solid(const Vec3& position, const SearchedObjects& objects);
 
   MoverSurroundings& around_;
