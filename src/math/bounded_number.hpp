@@ -36,7 +36,8 @@ inline BoundedNumber operator-(const BoundedNumber& a) { return {-a.value, a.err
 
 inline BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b) {
   const DoubleWord sum = a.value + b.value;
-  return {sum, (a.error + b.error) + double_word_bound * std::fabs(sum.high)};
+  const bool is_exact = a.value.low == 0 && b.value.low == 0;  // two doubles
+  return {sum, (a.error + b.error) + (is_exact ? 0 : double_word_bound * std::fabs(sum.high))};
 }
 
 inline BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) { return a + -b; }

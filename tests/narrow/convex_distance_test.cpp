@@ -3,9 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "narrow/convex/aligned_cores.hpp"
+#include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex_distance_checks.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "support/simd_levels.hpp"
+#include "toccata/bounds/aabb.hpp"
 
 // That distances are right in every regime is swept (convex_distance_sweep.cpp). Here: what else they promise.
 namespace toccata {
@@ -192,6 +195,131 @@ TEST(ConvexDistance, OfAlignedBoxesIsAClosedForm) {
     }
   }
   EXPECT_EQ(workspace.counts.closed_forms, 1000U);
+}
+
+/// A ball, an upright or a lying capsule, a box or a rounded one, at coordinates that are often equal.
+PosedPolytope aligned_body(Random& random) {
+  const auto coarse = [&] { return static_cast<double>(random.below(9)) / 4; };
+  const auto fine = [&] { return random.between(0.1, 1); };
+  const bool is_coarse = random.below(2) == 0;
+  const auto any = [&] { return is_coarse ? 0.25 + coarse() : fine(); };
+  const Vec3 at = is_coarse ? Vec3{2 * coarse(), 2 * coarse(), 2 * coarse()} : 3.0 * Vec3{fine(), fine(), fine()};
+  const Pose pose = Pose::translation(at);
+  Vec3 way{};
+  way[static_cast<int>(random.below(3))] = any();
+  switch (random.below(4)) {
+    case 0:
+      return PosedPolytope(Sphere(0.5 * any()), pose);
+    case 1:
+      return PosedPolytope(Capsule(-way, way, 0.5 * any()), pose);
+    case 2:
+      return PosedPolytope(Box({any(), any(), any()}), pose);
+    default:
+      return PosedPolytope(Rounded(Box({any(), any(), any()}), 0.25 * any()), pose);
+  }
+}
+
+void expect_exact_distance(const Distance& found, const ExactNearest& nearest, double radius_a, double radius_b) {
+  const Distance exact = rounded_distance(nearest, radius_a, radius_b);
+  EXPECT_EQ(found.lower, exact.lower);
+  EXPECT_EQ(found.upper, exact.upper);
+  if (nearest.meet) return;  // any common point of the cores will do
+  EXPECT_EQ(found.on_a, exact.on_a);
+  EXPECT_EQ(found.on_b, exact.on_b);
+}
+
+TEST(AlignedCores, AreAnsweredAsByExactArithmeticAndWithoutIt) {
+  Random random(3);
+  std::size_t told = 0, depths = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SCOPED_TRACE(i);
+    const PosedPolytope a = aligned_body(random), b = aligned_body(random);
+    const ExactNearest nearest = exact_nearest(a, b, first_vertices());
+    const std::optional<Distance> d = distance_of_aligned_cores(a, b);
+    if (d) expect_exact_distance(*d, nearest, a.radius(), b.radius());
+    const std::optional<bool> meet = aligned_cores_meet(a, b);
+    if (meet) {
+      EXPECT_EQ(*meet, offset_shapes_meet(nearest, a.radius(), b.radius()));
+    }
+    told += static_cast<std::size_t>(d.has_value() && meet.has_value());
+    if (a.radius() + b.radius() == 0 && !nearest.meet) continue;
+    const bool is_in_order = is_canonical_order(a, b);
+    const PosedPolytope &first = is_in_order ? a : b, &second = is_in_order ? b : a;
+    const std::optional<ConvexSeparation> parted = part_aligned_cores(first, second);
+    depths += static_cast<std::size_t>(parted.has_value());
+    if (!parted) continue;
+    const ConvexSeparation expanded = part_by_expansion(first, second);
+    const std::optional<Penetration> found = is_in_order ? parted->penetration : flipped(parted->penetration);
+    const Penetration wide = is_in_order ? expanded.penetration : flipped(expanded.penetration);
+    EXPECT_LE((1 - 0x1p-49) * wide.lower, found->lower);
+    EXPECT_GE((1 + 0x1p-49) * wide.upper, found->upper);
+    EXPECT_LE(wide.lower, found->upper);
+    EXPECT_GE(wide.upper, found->lower);
+    EXPECT_LE(found->upper, (1 + 0x1p-48) * found->lower);
+    if (!(found->upper > 0)) continue;
+    const Vec3 apart = (found->upper + 1e-12) * found->direction;
+    EXPECT_FALSE(overlap_by_gjk(a, b.moved(apart)));
+    const Vec3 between = found->on_a - found->on_b;
+    EXPECT_NEAR(dot(between, found->direction), found->upper, 1e-12);
+  }
+  EXPECT_GT(told, 3600U);
+  EXPECT_GT(depths, 2000U);
+}
+
+/// The least point of an edge beside an edge is a vertex, and so are the features told.
+TEST(AlignedCores, HaveFeaturesThatHoldTheNearestPoints) {
+  Random random(6);
+  std::size_t told = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    const PosedPolytope a = aligned_body(random), b = aligned_body(random);
+    if (a.radius() + b.radius() == 0) continue;
+    const std::optional<ConvexSeparation> parted = part_aligned_cores(a, b);
+    if (!parted || parted->pairs.size == 0) continue;
+    ++told;
+    const auto expect_held = [&](const PosedPolytope& shape, const std::array<Index, 4>& vertex, const Vec3& on_core) {
+      Aabb around;
+      for (std::size_t k = 0; k < parted->pairs.size; ++k) around = merge(around, shape.vertex(vertex[k]));
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(on_core[axis], around.lower[axis] - 1e-12);
+        EXPECT_LE(on_core[axis], around.upper[axis] + 1e-12);
+      }
+    };
+    const Penetration& p = parted->penetration;
+    expect_held(a, parted->pairs.a, p.on_a - a.radius() * p.direction);
+    expect_held(b, parted->pairs.b, p.on_b + b.radius() * p.direction);
+  }
+  EXPECT_GT(told, 400U);
+}
+
+TEST(AlignedCores, ExchangedHaveTheSameBits) {
+  Random random(4);
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    const PosedPolytope a = aligned_body(random), b = aligned_body(random);
+    const Distance there = distance(a, b), back = distance(b, a);
+    EXPECT_EQ(there, (Distance{back.lower, back.upper, back.on_b, back.on_a, back.status}));
+    EXPECT_EQ(penetration(a, b), flipped(penetration(b, a)));
+    EXPECT_EQ(manifold(a, b), flipped(manifold(b, a)));
+  }
+}
+
+/// The commonest pair of a game: an upright capsule and a box that is not turned. Exact arithmetic took fifty times as
+/// long.
+TEST(AlignedCores, OfAnUprightCapsuleAndABoxNeedNoExactArithmetic) {
+  SimplexCache workspace;
+  Random random(5);
+  const Box box({0.7, 0.6, 0.65});
+  for (int i = 0; i < 1000; ++i) {
+    const auto any = [&] { return random.between(-2.5, 2.5); };
+    const PosedPolytope a(Capsule({0, 0, -0.5}, {0, 0, 0.5}, 0.9), Pose::translation(any(), any(), any()));
+    const PosedPolytope b(box, Pose::translation(any(), any(), any()));
+    static_cast<void>(overlap(a, b, &workspace));
+    static_cast<void>(distance(a, b, &workspace));
+    static_cast<void>(penetration(a, b, &workspace));
+  }
+  EXPECT_LT(workspace.counts.exact, 5U);
+  EXPECT_GT(workspace.counts.closed_forms, 2990U);
 }
 
 TEST(ConvexOverlap, OfAlignedBoxesThatTouchIsAClosedForm) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "narrow/boxes/aligned_boxes.hpp"
+#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/boxes/box_contact.hpp"
 #include "narrow/boxes/next_axis.hpp"
 #include "narrow/convex/canonical_order.hpp"
@@ -288,7 +288,7 @@ std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const Po
   }
   std::optional<CoreSeparation> core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius());
   if (!core) {
-    if (const std::optional<Penetration> aligned = aligned_box_penetration(a, b)) return aligned;
+    if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return aligned->penetration;
     core = part_shallow_boxes(a, b);
   }
   if (!core) return {};

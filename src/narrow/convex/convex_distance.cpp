@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "math/constants.hpp"
-#include "narrow/boxes/aligned_boxes.hpp"
+#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/cached_simplex.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/gjk.hpp"
@@ -266,7 +266,7 @@ std::optional<Distance> distance_by_closed_form(const PosedPolytope& a, const Po
                                                 SimplexCache* workspace) {
   std::optional<Distance> found;
   if (const Distance distance = distance_of_primitives(a, b); is_known(distance)) found = distance;
-  if (!found) found = aligned_box_distance(a, b);
+  if (!found) found = distance_of_aligned_cores(a, b);
   if (found && workspace != nullptr) ++workspace->counts.closed_forms;
   return found;
 }
@@ -291,7 +291,7 @@ bool overlap(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* works
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return nearness == Nearness::meet;
   }
-  if (const std::optional<bool> meet = aligned_boxes_meet(a, b)) {  // those that touch
+  if (const std::optional<bool> meet = aligned_cores_meet(a, b)) {  // those that touch
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return *meet;
   }

@@ -7,6 +7,7 @@
 #include "math/constants.hpp"
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/boxes/box_manifold.hpp"
+#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/contact_choices.hpp"
 #include "narrow/convex/convex_separation.hpp"
@@ -214,17 +215,24 @@ Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes&
   return made_of(axis.direction, points);
 }
 
+ConvexSeparation part_shapes(const PosedPolytope& a, const PosedPolytope& b) {
+  if (a.radius() > 0 || b.radius() > 0)
+    if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return *aligned;
+  return part_by_expansion(a, b);
+}
+
 Manifold of_any(const PosedPolytope& a, const PosedPolytope& b) {
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  const ConvexSeparation separation = part_by_expansion(a, b);
+  const ConvexSeparation separation = part_shapes(a, b);
   const Penetration& p = separation.penetration;
   const Anchors anchors{p.on_a - a.radius() * p.direction, p.on_b + b.radius() * p.direction};
   ManifoldPoints points = points_of_faces(a, b, p.direction, p.upper, anchors, memory);
   // The deepest point may lie beside the reference face.
   double deepest = -infinity;
   for (const ManifoldPoint& point : points) deepest = std::max(deepest, point.depth);
-  if (!(deepest >= (1 - 0x1p-20) * p.upper)) put(points, single_point(a, b, separation));
+  if (!(deepest >= (1 - 0x1p-20) * p.upper))
+    put(points, single_point(a, b, separation.pairs.size > 0 ? separation : part_by_expansion(a, b)));
   return made_of(p.direction, points);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "narrow/boxes/box_separation.hpp"
+#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/convex_separation.hpp"
@@ -18,6 +19,18 @@ void require_solid(const PosedPolytope& shape, const char* which) {
   throw Error(std::string("penetration: the ") + which +
               " shape is a surface (a point, a segment, a triangle or a flat hull), which has no interior that another "
               "could leave; give it a radius, or ask for the distance or the manifold");
+}
+
+/// Of boxes, and of grown cores that are aligned with the axes.
+std::optional<Penetration> penetration_by_closed_form(const PosedPolytope& a, const PosedPolytope& b) {
+  if (a.radius() > 0 || b.radius() > 0) {
+    if (!is_canonical_order(a, b)) {
+      const std::optional<Penetration> exchanged = penetration_by_closed_form(b, a);
+      return exchanged ? flipped(*exchanged) : exchanged;
+    }
+    if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return aligned->penetration;
+  }
+  return penetration_of_boxes(a, b);
 }
 
 }  // namespace
@@ -43,9 +56,10 @@ Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope
 
 Penetration penetration(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
-  if (const std::optional<Penetration> of_boxes = penetration_of_boxes(a, b)) {
+  require_solids(a, b);
+  if (const std::optional<Penetration> found = penetration_by_closed_form(a, b)) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;
-    return *of_boxes;
+    return *found;
   }
   if (workspace != nullptr) ++workspace->counts.certificates;
   return penetration_by_expansion(a, b);
