@@ -7,6 +7,7 @@
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex_distance_checks.hpp"
 #include "narrow/exact/exact_distance.hpp"
+#include "narrow/primitives/closed_forms.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/bounds/aabb.hpp"
 
@@ -320,6 +321,32 @@ TEST(AlignedCores, OfAnUprightCapsuleAndABoxNeedNoExactArithmetic) {
   }
   EXPECT_LT(workspace.counts.exact, 5U);
   EXPECT_GT(workspace.counts.closed_forms, 2990U);
+}
+
+/// Also where the segment crosses the box, ends in it, lies beside a face or an edge, or the pose is no rotation.
+TEST(ConvexOverlap, OfACapsuleAndABoxIsToldByAFormula) {
+  Random random(8);
+  std::size_t told = 0;
+  constexpr std::size_t count = 4000;
+  for (std::size_t i = 0; i < count; ++i) {
+    SCOPED_TRACE(i);
+    const auto any = [&](double size) {
+      return Vec3{random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+    };
+    const Vec3 half = Vec3{1.1, 1.1, 1.1} + any(1);
+    Pose pose{i % 3 == 0 ? Mat3{} : turned(random.between(0, 7)), any(2)};
+    if (i % 5 == 0) pose.linear[0] = pose.linear[0] + 1e-9 * pose.linear[1];
+    Vec3 way = any(3);
+    if (i % 4 == 0) way = {0, 0, way.z};
+    const PosedPolytope capsule(Capsule(-way, way, random.between(0.01, 1)), Pose::translation(any(3)));
+    const PosedPolytope body(Box(half), pose);
+    const Nearness found = nearness_by_formula(capsule, body);
+    EXPECT_EQ(found, nearness_by_formula(body, capsule));
+    if (found == Nearness::unknown) continue;
+    ++told;
+    EXPECT_EQ(found == Nearness::meet, overlap_by_gjk(capsule, body));
+  }
+  EXPECT_GT(told, count - 10);
 }
 
 TEST(ConvexOverlap, OfAlignedBoxesThatTouchIsAClosedForm) {
