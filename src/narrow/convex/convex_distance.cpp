@@ -7,6 +7,7 @@
 #include "narrow/convex/cached_simplex.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "narrow/convex/gjk.hpp"
+#include "narrow/convex/likely_features.hpp"
 #include "narrow/exact/exact_distance.hpp"
 #include "narrow/exact/exact_nearest.hpp"
 #include "narrow/exact/intersection_certificate.hpp"
@@ -103,6 +104,9 @@ class ConvexQuestion {
       // Shapes that moved little often have the same nearest features.
       if (const auto distance = distance_by_formula(kept)) return *distance;
       if (const auto distance = distance_by(search(kept, to_the_end()), Cores::apart)) return *distance;
+    } else if (const VertexPairs likely = likely_features(a_.shape(), b_.shape()); likely.size > 0) {
+      if (const auto distance = distance_by_formula(likely)) return *distance;
+      if (const auto distance = distance_from(certain_nearest(a_, b_, likely))) return *distance;
     }
     if (options_.acceleration != GjkAcceleration::none)
       if (const auto distance = distance_by(search({}, to_the_end()), Cores::apart)) return *distance;
