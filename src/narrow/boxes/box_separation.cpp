@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/boxes/box_contact.hpp"
 #include "narrow/boxes/next_axis.hpp"
+#include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/convex_separation.hpp"
 #include "narrow/convex/precise_facet.hpp"
