@@ -13,6 +13,7 @@
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/core_distance.hpp"
+#include "narrow/convex/core_separation.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/polyhedron_axes.hpp"
@@ -526,6 +527,29 @@ TEST(ProofConstants, ShearedPlatesAreNotDecidedByWhatIsRounded) {
   const bool expected = oracle::overlap(world_set(a, pose_a), world_set(b, pose_b));
   const std::optional<bool> meet = BoxAxes(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b)).meet();
   EXPECT_EQ(meet.value_or(expected), expected);
+}
+
+// Two wedges, whose edges are nearly parallel and overlap a little less than a face of the one and the other: so much
+// less that the height of the facet that these edges make decides, which is rounded the other way.
+TEST(ProofConstants, TheDepthOfEdgesThatAreNearlyParallelIsRounded) {
+  const std::vector<Vec3> corners_a{{-0x1.c2f0b0d41a286p-1, 0x1.c3abb646d7e1cp-2, 0x1.612a1a208322fp-3},
+                                    {-0x1.215269e763512p-1, 0x1.c103da10f46c1p-1, 0x1.56e25cc0a3516p-1},
+                                    {-0x1.07949568e9f55p+0, -0x1.d9373792b0c7ap-5, 0x1.604dcb42be018p-1},
+                                    {0x1.c2f0b0d41a286p-1, -0x1.c3abb646d7e1cp-2, -0x1.612a1a208322fp-3},
+                                    {0x1.32477be0687fdp+0, -0x1.53ee1af1bad9p-8, 0x1.4c9a9f60c37fcp-2},
+                                    {0x1.76b836d660662p-1, -0x1.e13f29c002ee4p-1, 0x1.5f717c64f8e02p-2}};
+  const std::vector<Vec3> corners_b{{-0x1.68b8d330e179ap-1, 0x1.68f966a31c9c4p-2, 0x1.1cffc5680922cp-3},
+                                    {-0x1.edd5c7329ff98p-1, 0x1.4347b1a75cd36p-4, -0x1.f4a36b1bfe346p-2},
+                                    {-0x1.aec5287020dc1p-1, 0x1.716658e38339bp-2, -0x1.294aaa1e761ccp-1},
+                                    {0x1.6907db4d7b88ap-1, -0x1.688fb22502ca4p-2, -0x1.18cdeecf26918p-3},
+                                    {0x1.c7d5ce977a116p-2, -0x1.405b962f2418ep-1, -0x1.87c5229bcb074p-1},
+                                    {0x1.22fb860e3c262p-1, -0x1.6022bfe49c2cep-2, -0x1.b6be172c4209dp-1}};
+  const ConvexHull a(corners_a), b(corners_b);
+  const std::optional<CoreSeparation> found = part_cores_fast(PosedPolytope(a), PosedPolytope(b), 0);
+  if (!found) return;
+  const oracle::Depth depth(oracle::hull_set(corners_a), oracle::hull_set(corners_b));
+  EXPECT_GE(depth.compare(exact(found->lower)), 0);
+  EXPECT_LE(depth.compare(exact(found->upper)), 0);
 }
 
 }  // namespace
