@@ -220,5 +220,21 @@ TEST(QuadricContactConstants, ATipJustBeyondARoundedShapeIsNotHeld) {
   EXPECT_NE(is_held_by_offset(QuadricBody(cone, PairFrame{}), core, radius + 0x1p-60), Within::yes);
 }
 
+// Of a ball, beside a tiny one: the length of the direction rounds up, and its product with the point that lies there,
+// drawn in by ten roundings, nearly as much.
+TEST(QuadricContactConstants, WhatABallReachesBeyondItsPointIsRounded) {
+  const Vec3 centre{-0x1.d54700bc65f08p-2, -0x1.30b8ba70285bp-1, -0x1.4b05f1dd839d8p-4};
+  const double tiny = 0x1p-40, radius = 0x1.82ce4e2114761p-1;
+  FastSide on_a, on_b;
+  on_a.size = on_b.size = 1;
+  on_a.weight = on_b.weight = {1, 0, 0};
+  on_a.round = -centre;
+  on_b.round = centre;
+  const FastDistance found =
+      proved_interval(ball_in_contact(tiny, centre), PosedPolytope(Sphere(radius), Pose{}), on_a, on_b, centre);
+  EXPECT_GT(found.lower, 0);
+  EXPECT_LE(square_of_number(exact(found.lower) + exact(radius) + exact(tiny)), squared_between(centre, {}));
+}
+
 }  // namespace
 }  // namespace toccata
