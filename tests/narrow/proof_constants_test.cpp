@@ -552,5 +552,28 @@ TEST(ProofConstants, TheDepthOfEdgesThatAreNearlyParallelIsRounded) {
   EXPECT_LE(depth.compare(exact(found->upper)), 0);
 }
 
+std::string distance_fault(const Vec3& p, const Triangle& t) {
+  return distance_fault(PosedPolytope(Point(p)), oracle::point_set(p), PosedPolytope(t),
+                        oracle::triangle_set(t[0], t[1], t[2]));
+}
+
+// A narrow triangle far from the point: rounding moves the foot along it.
+TEST(ProofConstants, AFootOnANarrowTriangleIsNotTold) {
+  EXPECT_EQ(distance_fault({-0x1.ffc75b64739adp-1, -0x1.ffc7e6fce3bcdp-1, -0x1.ffc87f5ab0e6p-1},
+                           Triangle{{Vec3{0x1.ffa3c47200882p-1, 0x1.ff9c0d43f64d7p-1, 0x1.ff939f017277p-1},
+                                     Vec3{0x1.ff8f473d38739p-1, 0x1.ff9b7158eeaa5p-1, 0x1.ffa8b821422ebp-1},
+                                     Vec3{0x1.ff930f4a162f6p-1, 0x1.ff9b8cc3c684p-1, 0x1.ffa4d4a98c993p-1}}}),
+            "");
+}
+
+// One above a triangle that is so large that what rounds of the foot is a part of that.
+TEST(ProofConstants, AFootOnALargeTriangleIsNotTheNearestPoint) {
+  EXPECT_EQ(distance_fault({0x1.d0e3d6320d9acp-2, -0x1.42cd0b78a7564p-1, 1},
+                           Triangle{{Vec3{-0x1.8b7eb7940762ep+28, -0x1.81b3842c216aap+28, 0},
+                                     Vec3{0x1.a679cd9ac6591p+29, 0x1.79581f8c8da8bp+29, 0},
+                                     Vec3{0x1.d27d648ccd60fp+29, 0x1.e176f72a2335dp+29, 0}}}),
+            "");
+}
+
 }  // namespace
 }  // namespace toccata
