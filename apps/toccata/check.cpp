@@ -28,9 +28,10 @@ int run_check_poses(const CheckArguments& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
+  std::vector<std::string> left_out;
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
-                                    arguments.penetration, depth_options(arguments, input.loaded.warnings)};
-  tell_warnings(input.loaded);
+                                    arguments.penetration, depth_options(arguments, left_out)};
+  warn_at_once(input.loaded, left_out);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
@@ -63,8 +64,9 @@ int run_check(const CheckArguments& arguments, const std::vector<std::string>& a
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
   CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  question.depth = depth_options(arguments, loaded.warnings);
-  tell_warnings(loaded);
+  std::vector<std::string> left_out;
+  question.depth = depth_options(arguments, left_out);
+  warn_at_once(loaded, left_out);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 

@@ -73,9 +73,10 @@ void warn_of_open_meshes(CheckInput& input) {
       shown < open.size() ? ", …" : ""));
 }
 
-void tell_warnings(LoadedScene& loaded) {
-  print_warnings(untold_warnings(loaded));
-  loaded.told_warnings = loaded.warnings.size();
+void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {
+  print_warnings(warnings);
+  loaded.warnings.insert(loaded.warnings.begin(), warnings.begin(), warnings.end());
+  loaded.told_warnings += warnings.size();
 }
 
 std::vector<std::string> untold_warnings(const LoadedScene& loaded) {

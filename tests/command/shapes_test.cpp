@@ -282,7 +282,7 @@ TEST_F(ShapeCommands, CheckTellsHowDeepAndWhere) {
   EXPECT_TRUE(report["pairs"][0]["penetration"].is_null());
   EXPECT_FALSE(report["pairs"][0]["manifold"].is_null());
   const auto csv = run_command({"check", file, "--penetration", "--csv"});
-  EXPECT_NE(csv.out.find("\ncrate,needle,crossing,none,false,exact,,,,,\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("\ncrate,needle,crossing,none,false,exact,,,,,,\n"), std::string::npos) << csv.out;
   EXPECT_EQ(run_command({"check", file, "--penetration", "--self"}).exit_code, 2);
 }
 
