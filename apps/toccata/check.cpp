@@ -28,8 +28,10 @@ int run_check_poses(const CheckArguments& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
+  std::vector<std::string> left_out;
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
-                                    arguments.penetration, depth_options(arguments, input.loaded.warnings)};
+                                    arguments.penetration, depth_options(arguments, left_out)};
+  warn_at_once(input.loaded, left_out);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
@@ -40,11 +42,15 @@ int run_check_self(const CheckArguments& arguments) {
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
-int run_check(const CheckArguments& arguments) {
+int run_check(const CheckArguments& arguments, const std::vector<std::string>& asking) {
   const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
                            arguments.touching != Touching::count || !arguments.clearance.empty() ||
                            !arguments.clearances_of.empty() || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {"check", asks_itself, true})) return *code;
+  if (const auto code = answered_case(arguments, {.asks = "check",
+                                                  .asks_itself = asks_itself,
+                                                  .takes_any = true,
+                                                  .asking = asks_itself ? asking : std::vector<std::string>{}}))
+    return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
   require_touching_counts(arguments);
@@ -58,7 +64,9 @@ int run_check(const CheckArguments& arguments) {
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
   CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  question.depth = depth_options(arguments, loaded.warnings);
+  std::vector<std::string> left_out;
+  question.depth = depth_options(arguments, left_out);
+  warn_at_once(loaded, left_out);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
@@ -98,7 +106,8 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
     const Relation& relation = report.relations[i];
     rows.push_back({fmt::format("query {}", i), names[0], verb_of(relation), names[1], remark_on(relation)});
     const bool has_depth = relation.kind != RelationKind::apart;
-    if (!report.penetrations.empty()) rows.back().push_back(has_depth ? depth_text(report.penetrations[i]) : "");
+    if (!report.penetrations.empty())
+      rows.back().push_back(has_depth ? depth_text(report.penetrations[i], report.depth_ends[i]) : "");
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
   }
   const std::size_t contacts = contact_count(report);
@@ -194,10 +203,10 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
                 "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
-  return {check, [arguments] {
+  return {check, [arguments, check] {
             take_words(*arguments);
             arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
-            return run_check(*arguments);
+            return run_check(*arguments, asking_options(*check));
           }};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/query_files.hpp"
 #include "toccata/query/check_all.hpp"
@@ -70,6 +71,16 @@ void warn_of_open_meshes(CheckInput& input) {
       open.size(), counted(input.models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
       open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
       shown < open.size() ? ", …" : ""));
+}
+
+void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {
+  print_warnings(warnings);
+  loaded.warnings.insert(loaded.warnings.begin(), warnings.begin(), warnings.end());
+  loaded.told_warnings += warnings.size();
+}
+
+std::vector<std::string> untold_warnings(const LoadedScene& loaded) {
+  return {loaded.warnings.begin() + static_cast<std::ptrdiff_t>(loaded.told_warnings), loaded.warnings.end()};
 }
 
 }  // namespace toccata::command

@@ -77,24 +77,11 @@ std::string element_lines(const std::vector<ContactManifold>& manifolds) {
   return text;
 }
 
-/// Of a bracket that is wider than asked.
-std::string end_text(DepthEnd end) {
-  switch (end) {
-    case DepthEnd::precise:
-      return "";
-    case DepthEnd::exhausted:
-      return ", as narrow as could be proved";
-    case DepthEnd::out_of_time:
-      return ", when the time was over";
-  }
-  return "";
-}
-
 /// How deep they overlap, and a line for each point and region of contact.
 std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
   if (pair.relation.kind == RelationKind::apart) return {};
-  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + end_text(pair.depth_end) + "\n"
-                                                  : depth_refusal(scene, pair));
+  std::string text =
+      "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end) + "\n" : depth_refusal(scene, pair));
   if (pair.manifold)
     for (int i = 0; i < pair.manifold->count; ++i) text += point_line("contact", *pair.manifold, i);
   return text + element_lines(pair.manifolds) + region_lines(pair.regions);

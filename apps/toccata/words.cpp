@@ -41,6 +41,19 @@ std::string depth_text(const Penetration& penetration) {
   return (lower == upper ? upper : lower + " to " + upper) + " deep along " + point_text(penetration.direction);
 }
 
+std::string depth_text(const Penetration& penetration, DepthEnd end) {
+  const std::string text = depth_text(penetration);
+  switch (end) {
+    case DepthEnd::precise:
+      break;
+    case DepthEnd::exhausted:
+      return text + ", as narrow as could be proved";
+    case DepthEnd::out_of_time:
+      return text + ", when the time was over";
+  }
+  return text;
+}
+
 std::string called_as() {
   const char* name = std::getenv("TOCCATA_CALLED_AS");
   return name == nullptr || *name == '\0' ? "toccata" : printable(name);

@@ -89,7 +89,7 @@ std::string csv_of_distance(const ReportedPair& pair) {
 }
 
 std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
-  return (report.has_penetration ? io::csv_of(pair.penetration) : "") +
+  return (report.has_penetration ? io::csv_of(pair.penetration, pair.depth_end) : "") +
          (report.clearance ? csv_of_distance(pair) : "") + "\n";
 }
 
@@ -139,7 +139,8 @@ struct CheckKind {
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
     q.penetration = value.flag_or("penetration", false);
-    if (q.penetration) q.depth = io::depth_options_of(value);
+    const DepthOptions depth = io::depth_options_of(value);
+    if (q.penetration) q.depth = depth;
     if (value.has("clearance")) q.clearance = io::length_of(value.at("clearance"));
     constexpr std::size_t most = std::numeric_limits<Index>::max();
     for (const io::JsonValue& pair : value.elements("pair_clearances")) {
