@@ -47,7 +47,6 @@ int run_check(const CheckArguments& arguments) {
   if (const auto code = answered_case(arguments, {"check", asks_itself, true})) return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
-  require_touching_counts(arguments);
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
@@ -153,7 +152,7 @@ Subcommand add_check(CLI::App& app) {
   add_input(*check, arguments->input, any_files);
   CLI::Option* poses = add_poses(*check, *arguments);
   CLI::Option* solid = add_solid(*check, *arguments);
-  CLI::Option* touching = check->add_option("--touching", arguments->touching_word, "whether merely touching counts")
+  CLI::Option* touching = check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
                               ->check(CLI::IsMember({"count", "ignore"}))
                               ->capture_default_str();
   CLI::Option* penetration = check->add_flag("--penetration", arguments->penetration,

@@ -32,6 +32,21 @@ std::vector<std::string> row_of(const std::vector<std::string>& names, const Rep
           is_near ? near_text(pair) : remark_on(pair.relation)};
 }
 
+/// As the lengths were understood.
+std::string clearance_line(const Scene& scene, const CheckReport& report) {
+  const std::vector<std::string> names = table_names(scene.objects);
+  std::string text = "Clearance " + length_text(*report.clearance, scene.unit);
+  const std::size_t shown = std::min(report.pair_clearances.size(), most_listed);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const PairClearance& pair = report.pair_clearances[i];
+    text += fmt::format("; {} between {} and {}", length_text(pair.clearance, scene.unit),
+                        names[std::min(pair.a, pair.b)], names[std::max(pair.a, pair.b)]);
+  }
+  if (shown < report.pair_clearances.size())
+    text += fmt::format("; and of {} their own", counted(report.pair_clearances.size() - shown, "more pair"));
+  return text + ".\n";
+}
+
 /// Why a pair has no depth.
 std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
   const PairCell cell =
@@ -158,6 +173,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
                                  counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),
                                  counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
+  if (report.clearance) text += clearance_line(scene, report);
   if (report.pairs.empty())
     text += std::string("Nothing collides") + (report.clearance ? " or is nearer than its clearance" : "") +
             (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");

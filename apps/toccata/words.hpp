@@ -20,6 +20,9 @@ std::string nearest_text(const Distance& distance);
 /// "0.25 deep along (0, 0, 1)"; of two that do not overlap "0 deep".
 std::string depth_text(const Penetration& penetration);
 
+/// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
+std::string length_text(double length, const std::string& unit);
+
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();
 

@@ -88,7 +88,7 @@ struct ReportOptions {
   DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
 };
 
-/// Throws Error where touching is to be ignored and a clearance is asked for: a pair that touches is nearer than any.
+/// A pair that merely touches is left out where touching is ignored, however large its clearance.
 [[nodiscard]] CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                                             const ReportOptions& options = {});
 
