@@ -11,6 +11,7 @@
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "check_rules.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
 #include "option_kinds.hpp"
@@ -24,7 +25,40 @@
 namespace toccata::command {
 namespace {
 
-int run_check_poses(const CheckArguments& arguments) {
+/// With what only `check` has of options.
+struct CheckCommand : CheckArguments {
+  RuleArguments rules;
+};
+
+/// Options that have nothing to do with each other, and why.
+struct Refusal {
+  const char* option;
+  std::vector<const char*> others;
+  const char* why;
+};
+
+const std::vector<Refusal>& refusals() {
+  static const std::vector<Refusal> all = {
+      {"--self",
+       {"--poses", "--penetration", "--clearance", "--clearance-of", "--solid", "--touching", "--rules", "--ignore",
+        "--between"},
+       "--self asks where each object meets itself as a surface, and not about pairs"},
+      {"--poses",
+       {"--clearance", "--clearance-of", "--rules", "--ignore", "--between"},
+       "--poses asks about two objects at many poses, and not about the pairs of a scene"},
+  };
+  return all;
+}
+
+/// Throws Error naming both options and the reason.
+void require_company(const CLI::App& app) {
+  for (const Refusal& refusal : refusals())
+    for (const char* other : refusal.others)
+      if (app.count(refusal.option) > 0 && app.count(other) > 0)
+        throw Error(fmt::format("{0} excludes {1}: {2}; give one of the two", refusal.option, other, refusal.why));
+}
+
+int run_check_poses(const CheckCommand& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
@@ -40,10 +74,18 @@ int run_check_self(const CheckArguments& arguments) {
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
-int run_check(const CheckArguments& arguments) {
+CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
+  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
+  question.depth = depth_options(arguments, loaded.warnings);
+  question.rules = read_rules(arguments.rules, loaded.scene, loaded.warnings);
+  return question;
+}
+
+int run_check(const CheckCommand& arguments) {
   const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
                            arguments.touching != Touching::count || !arguments.clearance.empty() ||
-                           !arguments.clearances_of.empty() || changes_objects(arguments);
+                           !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
+                           changes_objects(arguments);
   if (const auto code = answered_case(arguments, {"check", asks_itself, true})) return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
@@ -56,8 +98,7 @@ int run_check(const CheckArguments& arguments) {
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
-  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  question.depth = depth_options(arguments, loaded.warnings);
+  const CheckQuestion question = question_of(arguments, loaded);
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
@@ -81,7 +122,13 @@ DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::str
 }
 
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances) {
-  return {arguments.touching, faces, arguments.penetration, clearances.common, clearances.of_pairs};
+  CheckQuestion question;
+  question.touching = arguments.touching;
+  question.faces = faces;
+  question.penetration = arguments.penetration;
+  question.clearance = clearances.common;
+  question.pair_clearances = clearances.of_pairs;
+  return question;
 }
 
 std::string table_of(const CheckInput& input, const CheckReport& report) {
@@ -147,14 +194,14 @@ Summary summary_of(const SelfReport& report) {
 }
 
 Subcommand add_check(CLI::App& app) {
-  const auto arguments = std::make_shared<CheckArguments>();
+  const auto arguments = std::make_shared<CheckCommand>();
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, arguments->input, any_files);
-  CLI::Option* poses = add_poses(*check, *arguments);
-  CLI::Option* solid = add_solid(*check, *arguments);
-  CLI::Option* touching = check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
-                              ->check(CLI::IsMember({"count", "ignore"}))
-                              ->capture_default_str();
+  add_poses(*check, *arguments);
+  add_solid(*check, *arguments);
+  check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
+      ->check(CLI::IsMember({"count", "ignore"}))
+      ->capture_default_str();
   CLI::Option* penetration = check->add_flag("--penetration", arguments->penetration,
                                              "how deep solids overlap, a way to part them, their regions of contact "
                                              "and (without --poses) their points of contact");
@@ -166,18 +213,10 @@ Subcommand add_check(CLI::App& app) {
       ->add_option("--time-limit", arguments->time_limit_word,
                    "seconds for the depth of each pair: then the bracket so far is told (none)")
       ->needs(penetration);
-  const auto [clearance, clearance_of] = add_clearances(*check, *arguments);
-  clearance->excludes(poses);
-  clearance_of->excludes(poses);
-  check
-      ->add_flag("--self", arguments->self,
-                 "each object against itself, instead of against the others: where its own faces meet")
-      ->excludes(poses)
-      ->excludes(penetration)
-      ->excludes(clearance)
-      ->excludes(clearance_of)
-      ->excludes(solid)
-      ->excludes(touching);
+  add_clearances(*check, *arguments);
+  add_rules(*check, arguments->rules);
+  check->add_flag("--self", arguments->self,
+                  "each object against itself, instead of against the others: where its own faces meet");
   check->add_flag("--faces", arguments->faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   add_writing(*check, *arguments, "docs/reference/check-report.md");
@@ -191,9 +230,11 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check part.stl --self --faces\n"
                 "  {0} check shapes.json --penetration\n"
                 "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
+                "  {0} check assembly.glb --rules rules.txt --ignore 'bolt*,nut*' --touching ignore\n"
                 "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
-  return {check, [arguments] {
+  return {check, [arguments, check] {
+            require_company(*check);
             take_words(*arguments);
             arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
             return run_check(*arguments);

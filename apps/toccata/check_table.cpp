@@ -184,6 +184,8 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
                         decided_text(undecided));
   if (report.ignored_touching > 0)
     text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
+  if (report.left_out.value_or(0) > 0)
+    text += fmt::format("{} left out by rules, not looked at.\n", counted(*report.left_out, "pair"));
   return text;
 }
 

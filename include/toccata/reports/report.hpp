@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
@@ -64,6 +65,24 @@ enum class Touching { count, ignore };
 /// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
 [[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
 
+/// Two sets of objects, told by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
+/// in each, either way round.
+struct NameRule {
+  std::vector<std::string> a;
+  std::vector<std::string> b;
+};
+
+/// Which pairs are checked: without rules all that are not of one group.
+struct NameRules {
+  std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
+  std::vector<NameRule> ignored{};  ///< no pair of these
+  [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
+};
+
+/// Whether the whole name is as the pattern says: `*` stands for any characters or none, also for `/`, `?` for one
+/// character of UTF-8, and `\` makes the next one mean itself. Capital letters are others than small ones.
+[[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
+
 /// What `check` found, ready to be written: pairs that count as contact or are nearer than their clearance, and how
 /// many merely touching ones were left out.
 struct CheckReport {
@@ -74,6 +93,7 @@ struct CheckReport {
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
   std::vector<PairClearance> pair_clearances{};
+  std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
 };
 
 /// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them. The
@@ -86,6 +106,8 @@ struct ReportOptions {
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};
   DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
+  // What `ask` heeds besides, and `make_check_report` does not.
+  NameRules rules{};
 };
 
 /// A pair that merely touches is left out where touching is ignored, however large its clearance.

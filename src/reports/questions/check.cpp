@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "io/formats/utf8.hpp"
+#include "query/scenes/check_wanted.hpp"
 #include "reports/glb/glb_findings.hpp"
+#include "reports/name_rules.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
 #include "reports/view/finding_layers.hpp"
@@ -117,6 +119,46 @@ std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
   return csv;
 }
 
+io::Json json_of(const std::vector<std::string>& patterns) {
+  io::Json list = io::Json::array();
+  for (const std::string& pattern : patterns) list.push_back(io::as_utf8(pattern));
+  return list;
+}
+
+io::Json json_of(const std::vector<NameRule>& rules) {
+  io::Json list = io::Json::array();
+  for (const NameRule& rule : rules) list.push_back({{"a", json_of(rule.a)}, {"b", json_of(rule.b)}});
+  return list;
+}
+
+std::vector<std::string> patterns_of(const io::JsonValue& list) {
+  std::vector<std::string> patterns;
+  for (const io::JsonValue& pattern : list.elements()) patterns.push_back(pattern.text());
+  return patterns;
+}
+
+std::vector<NameRule> rules_of(const io::JsonValue& question, const char* key) {
+  std::vector<NameRule> rules;
+  for (const io::JsonValue& rule : question.elements(key)) {
+    rule.expect_keys({"a", "b"});
+    rules.push_back({patterns_of(rule.at("a")), patterns_of(rule.at("b"))});
+  }
+  return rules;
+}
+
+/// What the rules leave out has no clearance, as what is of one group has none.
+void require_wanted(std::span<const PairClearance> clearances, const PairFilter& wanted,
+                    std::span<const SceneInstance> models) {
+  for (const PairClearance& pair : clearances) {
+    const auto [first, second] = std::minmax(pair.a, pair.b);
+    if (!wanted || second >= models.size() || first == second || wanted({first, second})) continue;
+    throw Error(
+        fmt::format("a clearance is asked for \"{}\" and \"{}\", which the rules leave out: leave out the one or "
+                    "the other",
+                    models[first].name, models[second].name));
+  }
+}
+
 struct CheckKind {
   using Question = CheckQuestion;
   using Report = CheckReport;
@@ -129,12 +171,14 @@ struct CheckKind {
     for (const PairClearance& pair : q.pair_clearances)
       json["pair_clearances"].push_back(
           {{"a_index", pair.a}, {"b_index", pair.b}, {"clearance", io::json_of_length(pair.clearance)}});
+    if (!q.rules.between.empty()) json["between"] = json_of(q.rules.between);
+    if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
     return json;
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys(
-        {"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance", "pair_clearances"});
+    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
+                       "pair_clearances", "between", "ignore"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
@@ -148,6 +192,7 @@ struct CheckKind {
                                    static_cast<Index>(pair.at("b_index").whole(most)),
                                    io::length_of(pair.at("clearance"))});
     }
+    q.rules = {rules_of(value, "between"), rules_of(value, "ignore")};
     return q;
   }
 
@@ -160,13 +205,19 @@ struct CheckKind {
     options.pair_clearances = question.pair_clearances;
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
-    return make_check_report(asking.models, check_all(asking.models, options), question);
+    const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
+    require_wanted(question.pair_clearances, wanted, asking.models);
+    const WantedAnswer found = check_wanted(asking.models, options, wanted);
+    CheckReport report = make_check_report(asking.models, found.answer, question);
+    if (wanted) report.left_out = found.left_out;
+    return report;
   }
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
+    if (report.left_out) json["left_out"] = *report.left_out;
     add_clearances(json, reporting.scene, report);
     return io::with_list(document(json), "pairs", report.pairs.size(),
                          [&](std::size_t i) { return text_of(report.pairs[i], reporting.scene, report); });
