@@ -18,7 +18,7 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option(
       "--unit", input.unit,
       "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
-      "given poses and all printed points, is then in metres");
+      "given poses and all printed points, is then in metres, and a clearance without a unit in this one");
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
 }
 
@@ -113,8 +113,8 @@ CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments) {
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
   CLI::Option* clearance =
       add_length(app, "--clearance", arguments.clearance,
-                 "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
-                 "its own (0.5, 2mm, 0.1in); all: every pair");
+                 "also tell pairs that are at most so far apart, and how far: a length in the unit of the files, or of "
+                 "--unit, or with its own (0.5, 2mm, 0.1in); all: every pair");
   CLI::Option* clearance_of =
       app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
           ->type_name("NAME,NAME=LENGTH")

@@ -46,9 +46,9 @@ struct WalkArguments : PosedArguments {
 
 /// In units of the scene. Where that has none, a number of it is taken for metres.
 double length_asked(const WalkLength& length, const Scene& scene) {
-  if (!length.text.empty()) return read_length(length.option, length.text, scene, Longest::finite);
+  if (!length.text.empty()) return read_length(length.option, length.text, {scene.unit}, Longest::finite);
   if (scene.unit == "unit") return length.metres;
-  return read_length(length.option, fmt::format("{}m", length.metres), scene, Longest::finite);
+  return read_length(length.option, fmt::format("{}m", length.metres), {scene.unit}, Longest::finite);
 }
 
 /// A skin that is wider than the walker would have it keep off from all that it walks between.

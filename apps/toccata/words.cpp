@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -52,6 +53,14 @@ std::string depth_text(const Penetration& penetration, DepthEnd end) {
       return text + ", when the time was over";
   }
   return text;
+}
+
+std::string length_text(double length, const std::string& unit) {
+  if (std::isinf(length)) return "all";
+  if (unit == "unit") return fmt::format("{:.12g}", length);
+  if (unit.ends_with(" m")) return fmt::format("{:.12g} times {}", length, unit);
+  if (unit == "m" && length > 0 && length < 1) return fmt::format("{:.12g} mm", 1000 * length);
+  return fmt::format("{:.12g} {}", length, unit);
 }
 
 std::string called_as() {

@@ -24,6 +24,9 @@ std::string depth_text(const Penetration& penetration);
 /// The same, with why its bracket is wider than asked, where it is.
 std::string depth_text(const Penetration& penetration, DepthEnd end);
 
+/// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
+std::string length_text(double length, const std::string& unit);
+
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();
 
