@@ -106,7 +106,7 @@ std::optional<double> TriangleCutter::weight_of(const Polygon& polygon, const Ve
   }
   for (const int corner : polygon.corners)
     if (corner >= 0 && !one.touched.vertices[static_cast<std::size_t>(corner)]) {
-      const Index vertex = graph_.corners(one.triangle)[static_cast<std::size_t>(corner)];
+      const Index vertex = one.corners[static_cast<std::size_t>(corner)];
       return within.piece_of(vertex) == SurfaceWithin::none ? std::nullopt : std::optional(0.5);
     }
   return is_interior(middle, other_.mesh()) ? std::optional(0.5) : std::nullopt;

@@ -12,6 +12,7 @@
 #include "query/contacts/common_shadow.hpp"
 #include "query/contacts/region_depth.hpp"
 #include "query/contacts/region_members.hpp"
+#include "query/inside/inside_winding.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/posed_mesh_pair.hpp"
 #include "toccata/core/error.hpp"
@@ -25,9 +26,7 @@ Vec3 normal_of_any_size(const Triangle& t) {
   return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
 }
 
-/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example.
-double turn_of(const PosedMesh& mesh, bool solid) {
-  if (!solid) return 1;
+double sign_of_volume(const PosedMesh& mesh) {
   const Aabb& box = mesh.box();
   const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper, size = box.upper - middle;
   const double unit = std::max({size.x, size.y, size.z});
@@ -40,6 +39,19 @@ double turn_of(const PosedMesh& mesh, bool solid) {
     volume += dot(seen(triangle[0]), cross(seen(triangle[1]), seen(triangle[2])));
   }
   return volume < 0 ? -1 : 1;
+}
+
+/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example. The
+/// sign of its winding number inside tells, and beside one of its triangles is the inside.
+double turn_of(const PosedMesh& mesh, bool solid, Index triangle) {
+  if (!solid) return 1;
+  constexpr double share = 0x1p-20;
+  const Triangle t = mesh.triangle(triangle);
+  const Vec3 middle = (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2];
+  const Vec3 step = share * largest_magnitude(t[1] - t[0]) * normal_of_any_size(t);
+  for (const Vec3& point : {middle - step, middle + step})
+    if (const int winding = wind_along(mesh, ExactPoint(point), 0).ahead; winding != 0) return winding < 0 ? -1 : 1;
+  return sign_of_volume(mesh);
 }
 
 /// What is added up over the contacts of a region.
@@ -135,8 +147,8 @@ class Regions {
         contacts_(contacts),
         graph_a_(pair.a),
         graph_b_(pair.b),
-        turn_a_(turn_of(pair.a, pair.a_solid)),
-        turn_b_(turn_of(pair.b, pair.b_solid)) {
+        turn_a_(turn_of(pair.a, pair.a_solid, contacts.front().triangle_a)),
+        turn_b_(turn_of(pair.b, pair.b_solid, contacts.front().triangle_b)) {
     if (!pair.a_solid || !pair.b_solid) return;
     common_.emplace(CommonPart{SurfaceWithin(graph_a_, pair.b, contacts, ContactSide::a),
                                SurfaceWithin(graph_b_, pair.a, contacts, ContactSide::b),
@@ -145,7 +157,7 @@ class Regions {
     depth_.emplace(a, b, query, pair, turn_a_, turn_b_, scratch);
   }
 
-  [[nodiscard]] std::vector<ContactRegion> sorted() const {
+  [[nodiscard]] std::vector<ContactRegion> sorted() {
     const std::vector<RegionMembers> all =
         common_ ? regions_of_solids(contacts_, graph_a_, common_->a_in_b, graph_b_, common_->b_in_a)
                 : regions_of_surfaces(contacts_, graph_a_, graph_b_);

@@ -5,7 +5,7 @@
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
-#include "query/meshes/world_search.hpp"
+#include "query/meshes/shaft_search.hpp"
 #include "query/relation/relation_locality.hpp"
 
 namespace toccata {
@@ -39,14 +39,20 @@ struct Shaft {
     return {dot(frame.axes[0], from), dot(frame.axes[1], from), dot(frame.axes[2], from)};
   }
 
-  [[nodiscard]] Aabb world_box_up_to(double height, double slack) const {
+  [[nodiscard]] WorldShaft up_to(double height) const {
+    WorldShaft shaft{frame.axes, {}, {}, {}};
     Aabb box;
     for (int i = 0; i < 8; ++i)
       box = merge(box,
                   frame.in_world({(i & 1) != 0 ? range.lower.x : height, (i & 2) != 0 ? range.lower.y : range.upper.y,
                                   (i & 4) != 0 ? range.lower.z : range.upper.z}));
-    const Vec3 more{slack, slack, slack};
-    return {box.lower - more, box.upper + more};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double origin = dot(frame.axes[static_cast<std::size_t>(axis)], frame.origin);
+      shaft.low[axis] = origin + range.lower[axis];
+      shaft.high[axis] = origin + (axis == 0 ? height : range.upper[axis]);
+      shaft.reach[axis] = std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
+    }
+    return shaft;
   }
 };
 
@@ -65,7 +71,7 @@ Shaft shaft_over(const DepthCell& cell, const Vec3& upwards, double slack) {
 std::optional<double> highest_below(double limit, const Shaft& shaft, const PosedMesh& mesh, double slack) {
   double highest = shaft.range.lower.x;
   bool goes_through = false;
-  visit_triangles_near(mesh, shaft.world_box_up_to(limit, slack), [&](Index number) {
+  visit_triangles_near(mesh, shaft.up_to(limit), [&](Index number) {
     const Triangle t = mesh.triangle(number);
     ClippedTriangle part{{shaft.inside_frame(t[0]), shaft.inside_frame(t[1]), shaft.inside_frame(t[2])}, 3};
     if (std::max({part.corners[0].x, part.corners[1].x, part.corners[2].x}) <= highest) return true;

@@ -13,7 +13,7 @@
 namespace toccata {
 namespace {
 
-void unite_neighbours(std::span<const Contact> contacts, const VertexGraph& a, const VertexGraph& b, UnionFind& sets) {
+void unite_neighbours(std::span<const Contact> contacts, VertexGraph& a, VertexGraph& b, UnionFind& sets) {
   std::vector<std::array<Index, 3>> uses;  // a vertex of A, a vertex of B, a contact
   for (Index i = 0; i < contacts.size(); ++i)
     for (const Index p : a.corners(contacts[i].triangle_a))
@@ -80,7 +80,7 @@ class InnerJoin {
 
   void join_within(const SurfaceWithin::TriangleInContact& one) {
     const PointsOfSets sets = points_on(one);
-    for (const Index corner : graph_.corners(one.triangle)) {
+    for (const Index corner : one.corners) {
       const Index piece = within_.piece_of(corner);
       if (piece == SurfaceWithin::none) continue;
       for (const auto& [set, points] : sets)
@@ -135,15 +135,14 @@ std::vector<RegionMembers> members_of(UnionFind& sets, std::size_t contacts, std
 
 }  // namespace
 
-std::vector<RegionMembers> regions_of_surfaces(std::span<const Contact> contacts, const VertexGraph& a,
-                                               const VertexGraph& b) {
+std::vector<RegionMembers> regions_of_surfaces(std::span<const Contact> contacts, VertexGraph& a, VertexGraph& b) {
   UnionFind sets(contacts.size());
   unite_neighbours(contacts, a, b, sets);
   return members_of(sets, contacts.size(), 0, 0);
 }
 
-std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, const VertexGraph& a,
-                                             const SurfaceWithin& a_within, const VertexGraph& b,
+std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, VertexGraph& a,
+                                             const SurfaceWithin& a_within, VertexGraph& b,
                                              const SurfaceWithin& b_within) {
   const std::size_t of_a = a_within.pieces().size(), of_b = b_within.pieces().size();
   UnionFind sets(contacts.size() + of_a + of_b);

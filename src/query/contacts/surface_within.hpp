@@ -2,36 +2,38 @@
 
 #include <array>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "query/meshes/posed_mesh.hpp"
-#include "shapes/welded_mesh.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
 
-/// A mesh as a graph: from its vertices, those of equal coordinates taken as one, to its triangles.
+/// The vertices of a posed mesh as far as they are asked for, those of equal coordinates taken as one: numbered as they
+/// come.
 class VertexGraph {
  public:
-  explicit VertexGraph(const PosedMesh& mesh);
+  explicit VertexGraph(const PosedMesh& mesh) : mesh_(mesh) {}
 
   [[nodiscard]] const PosedMesh& mesh() const { return mesh_; }
-  [[nodiscard]] std::size_t vertex_count() const { return welded_.distinct_vertices; }
-  [[nodiscard]] std::size_t triangle_count() const { return welded_.triangles.size(); }
-  [[nodiscard]] const std::array<Index, 3>& corners(Index triangle) const { return welded_.triangles[triangle]; }
+  [[nodiscard]] std::size_t vertex_count() const { return positions_.size(); }
+  [[nodiscard]] std::array<Index, 3> corners(Index triangle);
 
   /// In the world.
-  [[nodiscard]] Vec3 position(Index vertex) const { return mesh_.vertex(representative_[vertex]); }
-  [[nodiscard]] std::span<const Index> triangles_at(Index vertex) const {
-    return {around_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
-  }
+  [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
+
+  /// Those that have it as a corner.
+  [[nodiscard]] std::vector<Index> triangles_at(Index vertex) const;
 
  private:
+  struct Hash {
+    std::size_t operator()(const Vec3& v) const;
+  };
+
   const PosedMesh& mesh_;
-  WeldedTriangles welded_;
-  std::vector<Index> representative_;  ///< a vertex of the mesh for each distinct one
-  std::vector<std::size_t> first_;     ///< of each vertex, in `around_`
-  std::vector<Index> around_;          ///< triangles
+  std::vector<Vec3> positions_;
+  std::unordered_map<Vec3, Index, Hash> numbers_;
 };
 
 /// Of two models in contact, the one whose triangles are meant.
@@ -61,11 +63,12 @@ struct InnerPiece {
 class SurfaceWithin {
  public:
   /// The contacts are all those of the two.
-  SurfaceWithin(const VertexGraph& graph, const PosedMesh& solid, std::span<const Contact> contacts, ContactSide side);
+  SurfaceWithin(VertexGraph& graph, const PosedMesh& solid, std::span<const Contact> contacts, ContactSide side);
 
   struct TriangleInContact {
     Index triangle = 0;
-    std::vector<Index> contacts;
+    std::array<Index, 3> corners{};  ///< as the graph numbers them
+    std::vector<Index> contacts{};
     TouchedFeatures touched{};
   };
 
@@ -75,14 +78,18 @@ class SurfaceWithin {
 
   static constexpr Index none = ~Index{0};
   /// The piece that a vertex belongs to; none where it is not inside.
-  [[nodiscard]] Index piece_of(Index vertex) const { return piece_of_vertex_[vertex]; }
+  [[nodiscard]] Index piece_of(Index vertex) const {
+    return vertex < piece_of_vertex_.size() ? piece_of_vertex_[vertex] : none;
+  }
 
  private:
   void collect(std::span<const Contact> contacts, ContactSide side);
   [[nodiscard]] std::vector<Index> inner_corners(const PosedMesh& solid) const;
-  void flood(Index from, const std::vector<char>& has_contact);
+  [[nodiscard]] bool has_contact(Index triangle) const;
+  void flood(Index from);
+  [[nodiscard]] bool enter(Index vertex, Index piece);
 
-  const VertexGraph& graph_;
+  VertexGraph& graph_;
   std::vector<TriangleInContact> in_contact_;
   std::vector<Index> piece_of_vertex_;
   std::vector<InnerPiece> pieces_;
