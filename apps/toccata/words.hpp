@@ -20,6 +20,9 @@ std::string nearest_text(const Distance& distance);
 /// "0.25 deep along (0, 0, 1)"; of two that do not overlap "0 deep".
 std::string depth_text(const Penetration& penetration);
 
+/// "0.5 deep", or both bounds where their digits differ.
+std::string depth_text(double lower, double upper);
+
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();
 

@@ -23,14 +23,14 @@ Vec3 middle_of(std::span<const Vec3> points) {
 
 /// Of what lies over a convex polygon in its plane, seen against the normal.
 bool is_within(const Vec3& p, std::span<const Vec3> outline, const Vec3& normal) {
-  double turn = 0;
+  bool is_left = false, is_right = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec3& from = outline[i];
     const double side = dot(normal, cross(outline[(i + 1) % outline.size()] - from, p - from));
-    if (side * turn < 0) return false;
-    if (side != 0) turn = side;
+    is_left = is_left || side > 0;
+    is_right = is_right || side < 0;
   }
-  return true;
+  return !is_left || !is_right;
 }
 
 /// More than a point of the segment lies in the convex polygon.
@@ -131,10 +131,10 @@ void TriangleCutter::add_pieces(const SurfaceWithin& within, const SurfaceWithin
     const bool same = dot(normal, cross(other[1] - other[0], other[2] - other[0])) > 0;
     faces.push_back({points, same == same_turn_});
   }
-  const double least = least_share * plain_length(twice);
+  const double least = least_share * largest_magnitude(twice);
   for (const Polygon& polygon : polygons) {
     const Vec3 area = twice_area(polygon.points);
-    if (!(plain_length(area) > least)) continue;
+    if (!(largest_magnitude(area) > least)) continue;
     const std::optional<double> weight = weight_of(polygon, normal, within, one, faces);
     if (!weight) continue;
     const Vec3 middle = middle_of(polygon.points);

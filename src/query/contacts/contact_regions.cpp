@@ -213,7 +213,7 @@ class Regions {
                             of_b = vertices_of(common_->b_in_a, members.pieces_of_b);
     for (const std::vector<Vec3>* vertices : {&of_a, &of_b})
       for (const Vec3& vertex : *vertices) region.box = merge(region.box, vertex);
-    const FoundDepth found = depth_->within(region.box, region.normal, of_a, of_b);
+    const FoundDepth found = depth_->within(region.box, of_a, of_b);
     region.depth = found.bracket;
     if (found.bracket.lower > 0) {
       region.deepest = found.deepest.point;

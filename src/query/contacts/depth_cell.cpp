@@ -34,11 +34,6 @@ struct Shaft {
   CellFrame frame;
   Aabb range;  ///< of the cell in it
 
-  [[nodiscard]] Vec3 inside_frame(const Vec3& world) const {
-    const Vec3 from = world - frame.origin;
-    return {dot(frame.axes[0], from), dot(frame.axes[1], from), dot(frame.axes[2], from)};
-  }
-
   [[nodiscard]] WorldShaft up_to(double height) const {
     WorldShaft shaft{frame.axes, {}, {}, {}};
     Aabb box;
@@ -66,20 +61,31 @@ Shaft shaft_over(const DepthCell& cell, const Vec3& upwards, double slack) {
   return shaft;
 }
 
+/// The greatest difference of the triangle's normal, or of its opposite, from the direction along each axis.
+Vec3 difference_along(const std::array<Vec3, 3>& axes, const Triangle& t, const Vec3& direction) {
+  const Vec3 normal = unit_or_zero(cross(t[1] - t[0], t[2] - t[0]));
+  const Vec3 difference = (dot(normal, direction) < 0 ? -normal : normal) - direction;
+  return magnitudes({dot(axes[0], difference), dot(axes[1], difference), dot(axes[2], difference)});
+}
+
 /// The highest point of the surface in the shaft. None where the surface comes through that height, or what lies
 /// between is not outside.
-std::optional<double> highest_below(double limit, const Shaft& shaft, const PosedMesh& mesh, double slack) {
+std::optional<double> highest_below(double limit, const Shaft& shaft, const DepthCell& cell, const PosedMesh& mesh,
+                                    double slack, Vec3& bend) {
   double highest = shaft.range.lower.x;
   bool goes_through = false;
   visit_triangles_near(mesh, shaft.up_to(limit), [&](Index number) {
     const Triangle t = mesh.triangle(number);
-    ClippedTriangle part{{shaft.inside_frame(t[0]), shaft.inside_frame(t[1]), shaft.inside_frame(t[2])}, 3};
+    ClippedTriangle part{{shaft.frame.inside(t[0]), shaft.frame.inside(t[1]), shaft.frame.inside(t[2])}, 3};
     if (std::max({part.corners[0].x, part.corners[1].x, part.corners[2].x}) <= highest) return true;
     for (const int axis : {1, 2}) {
       part.cut(axis, 1, shaft.range.upper[axis]);
       part.cut(axis, -1, -shaft.range.lower[axis]);
     }
     part.cut(0, -1, -highest);
+    if (part.count == 0) return true;
+    const Vec3 more = difference_along(cell.axes, t, shaft.frame.axes[0]);
+    for (int axis = 0; axis < 3; ++axis) bend[axis] = std::max(bend[axis], more[axis]);
     for (std::size_t i = 0; i < part.count; ++i) {
       highest = std::max(highest, part.corners[i].x);
       goes_through = goes_through || part.corners[i].x > limit;
@@ -122,16 +128,20 @@ DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place
   return bounds;
 }
 
-void add_bound_by_height(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell, double slack,
-                         DistanceBounds& bounds) {
-  if (bounds.outwards == Vec3{}) return;
-  const Shaft shaft = shaft_over(cell, bounds.outwards, slack);
+void add_bound_by_height(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell,
+                         const Vec3& upwards, double slack, DistanceBounds& bounds) {
+  if (bounds.count == 0 || upwards == Vec3{}) return;
+  const Shaft shaft = shaft_over(cell, upwards, slack);
   const double of_nearest = middle.inside ? middle.surface.upper : -middle.surface.lower;
   const double limit = std::max(shaft.range.upper.x, of_nearest) + cell.radius / 2 + 16 * slack;
-  const std::optional<double> highest = highest_below(limit, shaft, solid.mesh(), slack);
+  const std::optional<double> highest = highest_below(limit, shaft, cell, solid.mesh(), slack, bounds.bend);
   if (!highest) return;
+  if (*highest == shaft.range.lower.x) {  // nothing is above its lowest corner, and no point of it inside
+    bounds.count = 0;
+    return;
+  }
   for (std::size_t i = 0; i < 8; ++i)
-    bounds.at_corners[bounds.count][i] = *highest - dot(bounds.outwards, cell.corners[i]) + slack;
+    bounds.at_corners[bounds.count][i] = *highest - dot(upwards, cell.corners[i]) + slack;
   bounds.count += 1;
 }
 

@@ -15,6 +15,10 @@ struct CellFrame {
   std::array<Vec3, 3> axes;
 
   [[nodiscard]] Vec3 in_world(const Vec3& s) const { return origin + s.x * axes[0] + s.y * axes[1] + s.z * axes[2]; }
+  [[nodiscard]] Vec3 inside(const Vec3& world) const {
+    const Vec3 from = world - origin;
+    return {dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)};
+  }
 };
 
 /// Whose first axis is the direction, which is a unit vector.
@@ -28,23 +32,26 @@ struct DepthCell {
   Vec3 middle;
   std::array<Vec3, 8> corners;  ///< less the middle
   double radius = 0;            ///< no corner is farther from the middle
+  std::array<Vec3, 3> axes;     ///< of its sides
 };
 
 /// Functions over a cell, told by their values at its corners, each convex and at each point of the cell inside the
 /// solid at least its distance from the solid's surface.
 struct DistanceBounds {
   std::size_t count = 0;  ///< none: no point of the cell is inside
-  std::array<std::array<double, 8>, 2> at_corners{};
+  std::array<std::array<double, 8>, 3> at_corners{};
   Vec3 outwards{};  ///< about the way to the surface from inside
+  Vec3 bend{};      ///< how much the surface's normals differ from the height's direction along each axis of the cell
 };
 
 /// By the distance from the middle alone.
 [[nodiscard]] DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place& middle,
                                                 const DepthCell& cell, double slack);
 
-/// Adds the height below the highest point of the surface above the cell, where what lies above that is outside.
-void add_bound_by_height(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell, double slack,
-                         DistanceBounds& bounds);
+/// Adds the height, along a direction, below the highest point of the surface over the cell; where what lies above
+/// that is outside. None are left where this says that no point of the cell is inside.
+void add_bound_by_height(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell,
+                         const Vec3& upwards, double slack, DistanceBounds& bounds);
 
 /// The greatest sum of distances that the bounds of both leave possible.
 [[nodiscard]] double greatest_sum(const DistanceBounds& a, const DistanceBounds& b);

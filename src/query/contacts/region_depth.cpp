@@ -19,7 +19,7 @@ constexpr double precision = 0.1;
 /// What is narrower than that share of the coordinates, and of the width asked for, is not looked into.
 constexpr double least_width = 0x1p-40;
 
-constexpr std::size_t most_cells = 1500;
+constexpr std::size_t most_cells = 2000;
 
 /// Of equal ones the first in space, so that the order of the solids does not show.
 bool is_deeper(const DeepestPoint& p, const DeepestPoint& q) {
@@ -37,13 +37,19 @@ Vec3 without_sign(const Vec3& direction) {
   return first < 0 ? -direction : direction;
 }
 
+Vec3 shortest_axis(const Aabb& box) {
+  const Vec3 size = box.upper - box.lower;
+  if (size.x <= size.y && size.x <= size.z) return {1, 0, 0};
+  return size.y <= size.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+
 /// A box of the search, in its frame.
 struct WaitingCell {
   double bound = 0;
   std::size_t number = 0;
   Vec3 lower;
   Vec3 upper;
-  Vec3 slope;  ///< of the sum of the distances, at the middle
+  Vec3 change;  ///< how much the sum of the distances may change along each axis
 
   /// As a heap has it: the greatest bound first, then the one that came first.
   friend bool operator<(const WaitingCell& x, const WaitingCell& y) {
@@ -91,18 +97,25 @@ class DepthSearch {
     }
   }
 
-  [[nodiscard]] FoundDepth search(const Aabb& box, const Vec3& normal) {
-    const CellFrame frame = frame_along(normal, 0.5 * box.lower + 0.5 * box.upper);
-    see_cell(frame, root_around(box, frame));
+  enum class Until { some_point, narrow };
+
+  /// In a frame along the direction.
+  void search(const Aabb& box, const Vec3& direction, Until until) {
+    frame_ = frame_along(without_sign(direction), 0.5 * box.lower + 0.5 * box.upper);
+    waiting_ = {};
+    settled_ = 0;
+    seen_ = 0;
+    wait_for(looked_into(root_around(box)));
     while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && seen_ < most_cells) {
+      if (until == Until::some_point && best_.depth > 0) return;
       const WaitingCell cell = waiting_.top();
       waiting_.pop();
-      split(frame, cell);
+      split(cell);
     }
     if (!waiting_.empty()) settled_ = std::max(settled_, waiting_.top().bound);
-    return {{best_.depth, std::max(best_.depth, settled_)}, best_};
   }
 
+  [[nodiscard]] FoundDepth found() const { return {{best_.depth, std::max(best_.depth, settled_)}, best_}; }
   [[nodiscard]] const DeepestPoint& best() const { return best_; }
 
  private:
@@ -124,65 +137,77 @@ class DepthSearch {
     return of_both(point, in_a.surface, in_b.surface);
   }
 
-  [[nodiscard]] WaitingCell root_around(const Aabb& box, const CellFrame& frame) const {
+  [[nodiscard]] WaitingCell root_around(const Aabb& box) const {
     Aabb range;
     for (int i = 0; i < 8; ++i) {
       const Vec3 corner{(i & 1) != 0 ? box.lower.x : box.upper.x, (i & 2) != 0 ? box.lower.y : box.upper.y,
                         (i & 4) != 0 ? box.lower.z : box.upper.z};
-      const Vec3 from = corner - frame.origin;
-      range = merge(range, Vec3{dot(frame.axes[0], from), dot(frame.axes[1], from), dot(frame.axes[2], from)});
+      range = merge(range, frame_.inside(corner));
     }
     WaitingCell root;
+    root.bound = infinity;
     root.lower = range.lower;
     root.upper = range.upper;
     return root;
   }
 
-  void split(const CellFrame& frame, const WaitingCell& cell) {
-    constexpr double of_flat = 0.1;
+  /// Along the axis along which the sum of the distances may change most, and the longest where it hardly does.
+  void split(const WaitingCell& cell) {
+    constexpr double of_flat = 0.03;
     int axis = 0;
     double most = -1;
     for (int i = 0; i < 3; ++i) {
-      const double weight = (cell.upper[i] - cell.lower[i]) * (std::abs(dot(cell.slope, frame.axes[i])) + of_flat);
+      const double weight = (cell.upper[i] - cell.lower[i]) * (cell.change[i] + of_flat);
       if (weight > most) std::tie(axis, most) = std::pair(i, weight);
     }
-    const double middle = cell.lower[axis] + (cell.upper[axis] - cell.lower[axis]) / 2;
     WaitingCell below = cell, above = cell;
-    below.upper[axis] = above.lower[axis] = middle;
-    see_cell(frame, below);
-    see_cell(frame, above);
+    below.upper[axis] = above.lower[axis] = cell.lower[axis] + (cell.upper[axis] - cell.lower[axis]) / 2;
+    wait_for(looked_into(below));
+    wait_for(looked_into(above));
   }
 
-  [[nodiscard]] DepthCell posed(const CellFrame& frame, const WaitingCell& cell) const {
+  [[nodiscard]] DepthCell posed(const WaitingCell& cell) const {
     const Vec3 half = 0.5 * (cell.upper - cell.lower);
     DepthCell result;
-    result.middle = frame.in_world(cell.lower + half);
-    for (int i = 0; i < 8; ++i)
-      result.corners[i] = ((i & 1) != 0 ? half.x : -half.x) * frame.axes[0] +
-                          ((i & 2) != 0 ? half.y : -half.y) * frame.axes[1] +
-                          ((i & 4) != 0 ? half.z : -half.z) * frame.axes[2];
+    result.middle = frame_.in_world(cell.lower + half);
+    for (std::size_t i = 0; i < 8; ++i)
+      result.corners[i] = ((i & 1) != 0 ? half.x : -half.x) * frame_.axes[0] +
+                          ((i & 2) != 0 ? half.y : -half.y) * frame_.axes[1] +
+                          ((i & 4) != 0 ? half.z : -half.z) * frame_.axes[2];
     result.radius = plain_length(half) + slack_;
+    result.axes = frame_.axes;
     return result;
   }
 
-  void see_cell(const CellFrame& frame, WaitingCell cell) {
-    ++seen_;
-    const DepthCell posed_cell = posed(frame, cell);
-    const DepthSide::Place in_a = a_.at(posed_cell.middle, scratch_);
-    DistanceBounds of_a = bounds_by_distance(a_, in_a, posed_cell, slack_);
-    if (of_a.count == 0) return;
-    const DepthSide::Place in_b = b_.at(posed_cell.middle, scratch_);
-    DistanceBounds of_b = bounds_by_distance(b_, in_b, posed_cell, slack_);
-    if (of_b.count == 0) return;
-    if (in_a.inside && in_b.inside) see(of_both(posed_cell.middle, in_a.surface, in_b.surface));
-    cell.bound = std::min(greatest_sum(of_a, of_b), seen_ == 1 ? infinity : cell.bound);
-    if (cell.bound > narrow_enough()) {
-      add_bound_by_height(a_, in_a, posed_cell, slack_, of_a);
-      add_bound_by_height(b_, in_b, posed_cell, slack_, of_b);
+  /// With its own bound, which is not more than the one it had: 0 where it has nothing in common with both.
+  [[nodiscard]] WaitingCell looked_into(WaitingCell cell) {
+    cell.number = ++seen_;
+    const double had = cell.bound;
+    cell.bound = 0;
+    const DepthCell world = posed(cell);
+    const DepthSide::Place in_a = a_.at(world.middle, scratch_);
+    DistanceBounds of_a = bounds_by_distance(a_, in_a, world, slack_);
+    if (of_a.count == 0) return cell;
+    const DepthSide::Place in_b = b_.at(world.middle, scratch_);
+    DistanceBounds of_b = bounds_by_distance(b_, in_b, world, slack_);
+    if (of_b.count == 0) return cell;
+    if (in_a.inside && in_b.inside) see(of_both(world.middle, in_a.surface, in_b.surface));
+    cell.bound = std::min(greatest_sum(of_a, of_b), had);
+    // Where the nearest surface is another one on the way through the cell, that opposite to the other solid's may
+    // tell.
+    for (const bool own : {true, false}) {
+      if (!(cell.bound > narrow_enough())) break;
+      add_bound_by_height(a_, in_a, world, own ? of_a.outwards : -of_b.outwards, slack_, of_a);
+      add_bound_by_height(b_, in_b, world, own ? of_b.outwards : -of_a.outwards, slack_, of_b);
       cell.bound = std::min(cell.bound, greatest_sum(of_a, of_b));
     }
-    cell.number = seen_;
-    cell.slope = of_a.outwards + of_b.outwards;
+    const Vec3 slope = of_a.outwards + of_b.outwards;
+    for (int i = 0; i < 3; ++i)
+      cell.change[i] = std::abs(dot(slope, world.axes[static_cast<std::size_t>(i)])) + of_a.bend[i] + of_b.bend[i];
+    return cell;
+  }
+
+  void wait_for(const WaitingCell& cell) {
     if (cell.bound > narrow_enough())
       waiting_.push(cell);
     else
@@ -195,6 +220,7 @@ class DepthSearch {
   double floor_;
   SearchScratch& scratch_;
   DeepestPoint best_;
+  CellFrame frame_{};
   std::priority_queue<WaitingCell> waiting_;
   double settled_ = 0;  ///< the greatest bound of the cells that were left
   std::size_t seen_ = 0;
@@ -221,15 +247,16 @@ CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query,
       size_(std::max(largest_coordinate(pair.a.box()), largest_coordinate(pair.b.box()))),
       scratch_(scratch) {}
 
-FoundDepth CommonDepth::within(const Aabb& box, const Vec3& normal, std::span<const Vec3> of_a,
-                               std::span<const Vec3> of_b) const {
+FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const {
+  using Until = DepthSearch::Until;
   DepthSearch search(a_, b_, size_, scratch_);
   search.see_vertices(of_a, of_b);
   search.see_point(0.5 * box.lower + 0.5 * box.upper);
+  if (search.best().depth == 0) search.search(box, shortest_axis(box), Until::some_point);
   search.climb();
   const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
-  const Vec3 along = across == Vec3{} ? normal : across;
-  return search.search(box, without_sign(along == Vec3{} ? Vec3{0, 0, 1} : along));
+  search.search(box, across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
+  return search.found();
 }
 
 }  // namespace toccata

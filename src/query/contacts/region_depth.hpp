@@ -57,10 +57,8 @@ class CommonDepth {
   CommonDepth(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair, double turn_a,
               double turn_b, SearchScratch& scratch);
 
-  /// Of the common points in the box. `of_a` are vertices of A inside B, `of_b` such of B inside A; the search is
-  /// quicker where `normal` is about the way across.
-  [[nodiscard]] FoundDepth within(const Aabb& box, const Vec3& normal, std::span<const Vec3> of_a,
-                                  std::span<const Vec3> of_b) const;
+  /// Of the common points in the box. `of_a` are vertices of A inside B, `of_b` such of B inside A.
+  [[nodiscard]] FoundDepth within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const;
 
  private:
   DepthSide a_;
