@@ -71,7 +71,7 @@ TEST(ContactRegions, OfFacesThatLieOnEachOtherAreTheirCommonArea) {
   EXPECT_NEAR(regions[0].area, 1, 1e-12);
   EXPECT_NEAR(regions[0].normal.z, 1, 1e-12);
   EXPECT_GE(regions[0].point_count, 4U);
-  EXPECT_EQ(regions[0].depth, (RegionDepth{0, 0}));
+  EXPECT_EQ(regions[0].depth, (ContactRegion::Depth{0, 0}));
 }
 
 TEST(ContactRegions, OfSurfacesHaveNoDepth) {

@@ -151,7 +151,7 @@ TEST(Extremes, TouchingSolidsAreNotDeepInEachOther) {
   query.pose_b.offset = {1, 1, 0};
   const auto regions = contact_regions(Model(cube(1)), Model(cube(1)), query);
   ASSERT_EQ(regions.size(), 1U);
-  EXPECT_EQ(regions[0].depth, (RegionDepth{0, 0}));
+  EXPECT_EQ(regions[0].depth, (ContactRegion::Depth{0, 0}));
 }
 
 TEST(Extremes, AHalfSpaceMayHaveALongNormal) {

@@ -155,12 +155,12 @@ TEST(RegionDepth, OfABoxTooWideForItsChannelIsThatOfEachSide) {
 TEST(RegionDepth, OfTouchingSolidsIsNone) {
   const auto flat = regions_of(table(), unit_box(), Pose::translation(0.3, 0.2, 0.5));
   ASSERT_EQ(flat.size(), 1U);
-  EXPECT_EQ(flat[0].depth, (RegionDepth{0, 0}));
+  EXPECT_EQ(flat[0].depth, (ContactRegion::Depth{0, 0}));
   EXPECT_NEAR(flat[0].area, 1, 1e-12);
   EXPECT_NEAR(flat[0].normal.z, 1, 1e-12);
   const auto edge = regions_of(unit_box(), unit_box(), Pose::translation(1, 1, 0));
   ASSERT_EQ(edge.size(), 1U);
-  EXPECT_EQ(edge[0].depth, (RegionDepth{0, 0}));
+  EXPECT_EQ(edge[0].depth, (ContactRegion::Depth{0, 0}));
   EXPECT_NEAR(edge[0].area, 0, 1e-12);
 }
 

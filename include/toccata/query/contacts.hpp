@@ -64,17 +64,17 @@ namespace toccata {
   return contacts;
 }
 
-/// How deep two solids are in each other at one place: the exact number lies in [lower, upper].
-struct RegionDepth {
-  double lower = 0;
-  double upper = 0;
-  friend constexpr bool operator==(const RegionDepth&, const RegionDepth&) = default;
-};
-
 /// One place at which two meshes meet: of two solids one connected part that they have in common, or on which they
 /// touch; else one connected curve along which their surfaces cross, or area on which they lie. In world units, every
 /// number rounded: only the counts, `closed` and the bounds of the depth are exact.
 struct ContactRegion {
+  /// The exact number lies in [lower, upper].
+  struct Depth {
+    double lower = 0;
+    double upper = 0;
+    friend constexpr bool operator==(const Depth&, const Depth&) = default;
+  };
+
   std::size_t triangle_pairs = 0;  ///< that meet in it
   std::size_t face_pairs = 0;      ///< of the files' faces
   Aabb box;  ///< around its points and, of two solids, the vertices of each inside the other that hang on them
@@ -95,7 +95,7 @@ struct ContactRegion {
   /// `box` that lie in both. B moved by less than `lower`, in whichever direction, still overlaps A: it is a lower
   /// bound of their penetration. `upper` is at most 10 % more, where that is found in reasonable time, and both are 0,
   /// or `lower` is and `upper` some last places of the coordinates, where they touch. None where one is a surface.
-  std::optional<RegionDepth> depth{};
+  std::optional<Depth> depth{};
   Vec3 deepest{};  ///< a point of both solids whose sum is `lower` or more; of surfaces the mean of the points
 
   friend bool operator==(const ContactRegion&, const ContactRegion&) = default;

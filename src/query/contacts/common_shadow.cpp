@@ -13,7 +13,7 @@ namespace toccata {
 namespace {
 
 /// Less than that share of a triangle's size is rounding.
-constexpr double least_share = 0x1p-36;
+constexpr double least_share_of_size = 0x1p-36;
 
 Vec3 middle_of(std::span<const Vec3> points) {
   Vec3 sum;
@@ -39,12 +39,12 @@ bool runs_through(const Vec3& from, const Vec3& to, std::span<const Vec3> polygo
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 inwards = cross(normal, polygon[(i + 1) % polygon.size()] - polygon[i]);
     const double at_from = dot(inwards, from - polygon[i]), at_to = dot(inwards, to - polygon[i]);
-    const double slack = least_share * plain_length(inwards) * plain_length(to - from);
+    const double slack = least_share_of_size * plain_length(inwards) * plain_length(to - from);
     if (at_from < -slack && at_to < -slack) return false;
     if (at_from < 0 && at_to > 0) first = std::max(first, at_from / (at_from - at_to));
     if (at_from > 0 && at_to < 0) last = std::min(last, at_from / (at_from - at_to));
   }
-  return last - first > least_share;
+  return last - first > least_share_of_size;
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ void TriangleCutter::cut(std::vector<Polygon>& polygons, const Vec3& from, const
     std::vector<double> height;
     for (const Vec3& p : whole.points) height.push_back(dot(across, p - from));
     const auto [low, high] = std::minmax_element(height.begin(), height.end());
-    const double slack = least_share * (*high - *low);
+    const double slack = least_share_of_size * (*high - *low);
     if (*low >= -slack || *high <= slack || !runs_through(from, to, whole.points, normal)) continue;
     Polygon below, above;
     const auto put = [](Polygon& polygon, const Vec3& p, int corner) {
@@ -131,7 +131,7 @@ void TriangleCutter::add_pieces(const SurfaceWithin& within, const SurfaceWithin
     const bool same = dot(normal, cross(other[1] - other[0], other[2] - other[0])) > 0;
     faces.push_back({points, same == same_turn_});
   }
-  const double least = least_share * largest_magnitude(twice);
+  const double least = least_share_of_size * largest_magnitude(twice);
   for (const Polygon& polygon : polygons) {
     const Vec3 area = twice_area(polygon.points);
     if (!(largest_magnitude(area) > least)) continue;

@@ -177,7 +177,7 @@ class Regions {
     const auto is_open = [](const ContactRegion& region) { return region.depth && region.depth->lower == 0; };
     if (std::none_of(regions.begin(), regions.end(), is_open)) return;
     if (relation(a_, b_, query_).kind == RelationKind::overlapping) return;
-    for (ContactRegion& region : regions) region.depth = RegionDepth{};
+    for (ContactRegion& region : regions) region.depth = ContactRegion::Depth{};
   }
 
   void cut_triangles() {

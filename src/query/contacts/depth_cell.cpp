@@ -12,13 +12,13 @@ namespace toccata {
 namespace {
 
 /// A convex polygon, as what is cut off grows it by a corner at most.
-struct ClippedTriangle {
+struct ShaftPolygon {
   std::array<Vec3, 8> corners{};
   std::size_t count = 0;
 
   /// Keeps what of it has sign · coordinate at most the limit.
   void cut(int axis, double sign, double limit) {
-    ClippedTriangle kept;
+    ShaftPolygon kept;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 &p = corners[i], &q = corners[(i + 1) % count];
       const double over_p = sign * p[axis] - limit, over_q = sign * q[axis] - limit;
@@ -76,7 +76,7 @@ std::optional<double> highest_below(double limit, const Shaft& shaft, const Dept
   bool goes_through = false;
   visit_triangles_near(mesh, shaft.up_to(limit), [&](Index number) {
     const Triangle t = mesh.triangle(number);
-    ClippedTriangle part{{shaft.frame.inside(t[0]), shaft.frame.inside(t[1]), shaft.frame.inside(t[2])}, 3};
+    ShaftPolygon part{{shaft.frame.inside(t[0]), shaft.frame.inside(t[1]), shaft.frame.inside(t[2])}, 3};
     if (std::max({part.corners[0].x, part.corners[1].x, part.corners[2].x}) <= highest) return true;
     for (const int axis : {1, 2}) {
       part.cut(axis, 1, shaft.range.upper[axis]);

@@ -14,13 +14,6 @@
 namespace toccata {
 namespace {
 
-constexpr double precision = 0.1;
-
-/// What is narrower than that share of the coordinates, and of the width asked for, is not looked into.
-constexpr double least_width = 0x1p-40;
-
-constexpr std::size_t most_cells = 2000;
-
 /// Of equal ones the first in space, so that the order of the solids does not show.
 bool is_deeper(const DeepestPoint& p, const DeepestPoint& q) {
   if (p.depth != q.depth) return p.depth > q.depth;
@@ -57,9 +50,9 @@ struct WaitingCell {
   }
 };
 
-class DepthSearch {
+class CommonDepthSearch {
  public:
-  DepthSearch(const DepthSide& a, const DepthSide& b, double size, SearchScratch& scratch)
+  CommonDepthSearch(const DepthSide& a, const DepthSide& b, double size, SearchScratch& scratch)
       : a_(a), b_(b), slack_(depth_slack * size), floor_(least_width * size), scratch_(scratch) {}
 
   /// Some of the vertices of either inside the other.
@@ -123,7 +116,7 @@ class DepthSearch {
     if (found.depth > 0 && is_deeper(found, best_)) best_ = found;
   }
 
-  [[nodiscard]] double narrow_enough() const { return std::max((1 + precision) * best_.depth, floor_); }
+  [[nodiscard]] double narrow_enough() const { return std::max((1 + asked_precision) * best_.depth, floor_); }
 
   [[nodiscard]] static DeepestPoint of_both(const Vec3& point, const SurfacePoint& a, const SurfacePoint& b) {
     return {std::nextafter(a.lower + b.lower, 0.0), point, a.point, b.point};
@@ -214,6 +207,12 @@ class DepthSearch {
       settled_ = std::max(settled_, cell.bound);
   }
 
+  static constexpr double asked_precision = 0.1;
+  /// What is narrower than that share of the coordinates is not looked into.
+  static constexpr double least_width = 0x1p-40;
+  /// Of press fits all around a shaft some hundreds are needed, of what lies across two faces a few.
+  static constexpr std::size_t most_cells = 2000;
+
   const DepthSide& a_;
   const DepthSide& b_;
   double slack_;
@@ -248,8 +247,8 @@ CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query,
       scratch_(scratch) {}
 
 FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const {
-  using Until = DepthSearch::Until;
-  DepthSearch search(a_, b_, size_, scratch_);
+  using Until = CommonDepthSearch::Until;
+  CommonDepthSearch search(a_, b_, size_, scratch_);
   search.see_vertices(of_a, of_b);
   search.see_point(0.5 * box.lower + 0.5 * box.upper);
   if (search.best().depth == 0) search.search(box, shortest_axis(box), Until::some_point);

@@ -19,7 +19,7 @@ struct DeepestPoint {
 
 /// How deep two solids are in each other within a box.
 struct FoundDepth {
-  RegionDepth bracket;
+  ContactRegion::Depth bracket;
   DeepestPoint deepest;
 };
 
