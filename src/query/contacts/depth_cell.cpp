@@ -74,7 +74,7 @@ std::optional<double> highest_below(double limit, const Shaft& shaft, const Dept
                                     double slack, Vec3& bend) {
   double highest = shaft.range.lower.x;
   bool goes_through = false;
-  visit_triangles_near(mesh, shaft.up_to(limit), [&](Index number) {
+  visit_triangles_in(mesh, shaft.up_to(limit), [&](Index number) {
     const Triangle t = mesh.triangle(number);
     ShaftPolygon part{{shaft.frame.inside(t[0]), shaft.frame.inside(t[1]), shaft.frame.inside(t[2])}, 3};
     if (std::max({part.corners[0].x, part.corners[1].x, part.corners[2].x}) <= highest) return true;

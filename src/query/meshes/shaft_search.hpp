@@ -17,6 +17,6 @@ struct WorldShaft {
 
 /// Calls `visit(triangle)` for all triangles that meet it, and for such as the tree cannot tell from these, in no
 /// particular but always the same order; ends early when `visit` returns false.
-void visit_triangles_near(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit);
+void visit_triangles_in(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit);
 
 }  // namespace toccata

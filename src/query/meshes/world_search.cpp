@@ -135,7 +135,7 @@ void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_spac
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 
-void visit_triangles_near(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit) {
+void visit_triangles_in(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
   for (int i = 0; i < 3; ++i)
     add_usable(along(mesh, shaft.directions[static_cast<std::size_t>(i)], {shaft.low[i], shaft.high[i]}, shaft.reach),
