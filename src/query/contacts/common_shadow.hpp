@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "query/contacts/cut_triangle.hpp"
 #include "query/contacts/surface_within.hpp"
 
 namespace toccata {
@@ -28,20 +29,10 @@ class TriangleCutter {
                   std::vector<PlanePiece>& pieces) const;
 
  private:
-  struct Polygon {
-    std::vector<Vec3> points;
-    std::vector<int> corners;  ///< the triangle's own, else −1
-  };
-  struct Outline {  ///< of a face that lies on the triangle
-    std::vector<Vec3> points;
-    bool same_side = false;
-  };
-
   [[nodiscard]] std::vector<Vec3> points_of(Index contact, const Triangle& own) const;
-  static void cut(std::vector<Polygon>& polygons, const Vec3& from, const Vec3& to, const Vec3& normal);
-  [[nodiscard]] std::optional<double> weight_of(const Polygon& polygon, const Vec3& normal, const SurfaceWithin& within,
-                                                const SurfaceWithin::TriangleInContact& one,
-                                                std::span<const Outline> faces) const;
+  /// None of what is neither inside nor on a face.
+  [[nodiscard]] std::optional<double> weight_of(const TrianglePart& part, const SurfaceWithin& within,
+                                                const SurfaceWithin::TriangleInContact& one) const;
 
   const VertexGraph& graph_;
   const VertexGraph& other_;
@@ -49,8 +40,5 @@ class TriangleCutter {
   std::span<const Contact> contacts_;
   ContactSide side_;
 };
-
-/// Twice the area of a closed polygon along its normal.
-[[nodiscard]] Vec3 twice_area(std::span<const Vec3> points);
 
 }  // namespace toccata

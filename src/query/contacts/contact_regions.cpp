@@ -161,8 +161,9 @@ class Regions {
     const std::vector<RegionMembers> all =
         common_ ? regions_of_solids(contacts_, graph_a_, common_->a_in_b, graph_b_, common_->b_in_a)
                 : regions_of_surfaces(contacts_, graph_a_, graph_b_);
+    const std::vector<std::vector<PlanePiece>> cut_pieces = pieces_of_each(all);
     std::vector<ContactRegion> regions;
-    for (const RegionMembers& members : all) regions.push_back(region_of(members));
+    for (std::size_t i = 0; i < all.size(); ++i) regions.push_back(region_of(all[i], cut_pieces[i]));
     tell_touching(regions);
     const auto depth_of = [](const ContactRegion& region) { return region.depth ? region.depth->lower : 0; };
     std::stable_sort(regions.begin(), regions.end(), [&](const ContactRegion& s, const ContactRegion& t) {
@@ -187,7 +188,17 @@ class Regions {
     for (const auto& one : common_->b_in_a.in_contact()) of_b.add_pieces(common_->b_in_a, one, common_->cut_pieces);
   }
 
-  [[nodiscard]] ContactRegion region_of(const RegionMembers& members) const {
+  [[nodiscard]] std::vector<std::vector<PlanePiece>> pieces_of_each(const std::vector<RegionMembers>& regions) const {
+    std::vector<std::vector<PlanePiece>> pieces(regions.size());
+    if (!common_) return pieces;
+    std::vector<std::size_t> region_of_contact(contacts_.size());
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      for (const Index contact : regions[i].contacts) region_of_contact[contact] = i;
+    for (const PlanePiece& piece : common_->cut_pieces) pieces[region_of_contact[piece.contact]].push_back(piece);
+    return pieces;
+  }
+
+  [[nodiscard]] ContactRegion region_of(const RegionMembers& members, std::span<const PlanePiece> cut_pieces) const {
     RegionSum sum(pair_, turn_a_, turn_b_);
     for (const Index i : members.contacts) sum.add(contacts_[i]);
     const Outline& outline = sum.outline();
@@ -204,11 +215,12 @@ class Regions {
     const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
     region.area = std::hypot(twice.x, twice.y, twice.z) / 2;
     region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);
-    if (common_) add_common_part(region, members);
+    if (common_) add_common_part(region, members, cut_pieces);
     return region;
   }
 
-  void add_common_part(ContactRegion& region, const RegionMembers& members) const {
+  void add_common_part(ContactRegion& region, const RegionMembers& members,
+                       std::span<const PlanePiece> cut_pieces) const {
     const std::vector<Vec3> of_a = vertices_of(common_->a_in_b, members.pieces_of_a),
                             of_b = vertices_of(common_->b_in_a, members.pieces_of_b);
     for (const std::vector<Vec3>* vertices : {&of_a, &of_b})
@@ -220,7 +232,7 @@ class Regions {
       const Vec3 across = unit_or_zero(found.deepest.on_a - found.deepest.on_b);
       region.normal = across == Vec3{} ? unit_or_zero(found.deepest.on_a - found.deepest.point) : across;
     }
-    region.area = shadow_area(region.normal, members);
+    region.area = shadow_area(region.normal, members, cut_pieces);
   }
 
   [[nodiscard]] static std::vector<Vec3> vertices_of(const SurfaceWithin& within, const std::vector<Index>& pieces) {
@@ -232,11 +244,10 @@ class Regions {
     return vertices;
   }
 
-  [[nodiscard]] double shadow_area(const Vec3& normal, const RegionMembers& members) const {
+  [[nodiscard]] double shadow_area(const Vec3& normal, const RegionMembers& members,
+                                   std::span<const PlanePiece> cut_pieces) const {
     double twice = 0;
-    for (const PlanePiece& piece : common_->cut_pieces)
-      if (std::binary_search(members.contacts.begin(), members.contacts.end(), piece.contact))
-        twice += piece.weight * std::abs(dot(normal, piece.area));
+    for (const PlanePiece& piece : cut_pieces) twice += piece.weight * std::abs(dot(normal, piece.area));
     const auto add_inner = [&](const PosedMesh& mesh, const SurfaceWithin& within, const std::vector<Index>& pieces) {
       for (const Index piece : pieces)
         for (const Index triangle : within.pieces()[piece].triangles) {
