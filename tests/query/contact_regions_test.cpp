@@ -74,6 +74,20 @@ TEST(ContactRegions, OfFacesThatLieOnEachOtherAreTheirCommonArea) {
   EXPECT_EQ(regions[0].depth, (ContactRegion::Depth{0, 0}));
 }
 
+// A triangle of the table is in contact with hundreds.
+TEST(ContactRegions, OfManySidesOnOneTriangleHaveTheAreaOfThePolygon) {
+  const int sides = 600;
+  const double area = 0.5 * sides * std::sin(2 * std::acos(-1.0) / sides);
+  for (const double depth : {0.0, 0.125}) {
+    const auto regions = regions_of(table(), prism_mesh(1, 1, sides), Pose::translation(0.3, 0.2, -depth));
+    ASSERT_EQ(regions.size(), 1U);
+    EXPECT_NEAR(regions[0].area, area, 1e-9) << depth;
+    EXPECT_NEAR(regions[0].normal.z, 1, 1e-9) << depth;
+    EXPECT_NEAR(regions[0].depth->lower, depth, 1e-9);
+    EXPECT_NEAR(regions[0].depth->upper, depth, 1e-9);
+  }
+}
+
 TEST(ContactRegions, OfSurfacesHaveNoDepth) {
   const TriangleMesh sheet({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, {{0, 1, 2}});
   const auto regions = regions_of(sheet, box_mesh({0.5, 0.5, 0.5}), Pose::translation(0.3, -0.2, 0.125));

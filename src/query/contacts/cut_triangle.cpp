@@ -10,8 +10,8 @@
 namespace toccata {
 namespace {
 
-/// Less than that share of a size is rounding.
-constexpr double least_share_of_size = 0x1p-36;
+/// Less than that share of a length is rounding, and of an area of no account.
+constexpr double least_share_of_size = 0x1p-36, least_share_of_area = 0x1p-48;
 
 double squared_length(const Vec3& v) { return dot(v, v); }
 
@@ -114,7 +114,7 @@ TwoParts cut_along(const UncutPart& whole, const CutLine& line, double slack) {
 class TriangleCut {
  public:
   TriangleCut(const Triangle& triangle, const Vec3& twice)
-      : normal_(unit_or_zero(twice)), least_(least_share_of_size * largest_magnitude(twice)) {
+      : normal_(unit_or_zero(twice)), least_(least_share_of_area * largest_magnitude(twice)) {
     axes_[0] = unit_or_zero(triangle[1] - triangle[0]);
     axes_[1] = cross(normal_, axes_[0]);
   }

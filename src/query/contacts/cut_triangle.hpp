@@ -35,7 +35,7 @@ struct TrianglePart {
 [[nodiscard]] Vec3 middle_of(std::span<const Vec3> points);
 
 /// Cuts a triangle along segments on it, which are at least one, by a plane through one of them or, while there are
-/// many, one that has half of them on either side. In doubles: pieces of less than a 2⁻³⁶th are left out.
+/// many, one that has half of them on either side. In doubles: pieces of less than a 2⁻⁴⁸th are left out.
 [[nodiscard]] std::vector<TrianglePart> cut_triangle(const Triangle& triangle, std::vector<ContactSegment> segments,
                                                      std::span<const FaceOnTriangle> faces);
 

@@ -71,10 +71,11 @@ Vec3 difference_along(const std::array<Vec3, 3>& axes, const Triangle& t, const 
 /// The highest point of the surface in the shaft. None where the surface comes through that height, or what lies
 /// between is not outside.
 std::optional<double> highest_below(double limit, const Shaft& shaft, const DepthCell& cell, const PosedMesh& mesh,
-                                    double slack, Vec3& bend) {
+                                    double slack, DistanceBounds& bounds) {
   double highest = shaft.range.lower.x;
   bool goes_through = false;
   visit_triangles_in(mesh, shaft.up_to(limit), [&](Index number) {
+    bounds.triangles += 1;
     const Triangle t = mesh.triangle(number);
     ShaftPolygon part{{shaft.frame.inside(t[0]), shaft.frame.inside(t[1]), shaft.frame.inside(t[2])}, 3};
     if (std::max({part.corners[0].x, part.corners[1].x, part.corners[2].x}) <= highest) return true;
@@ -85,7 +86,7 @@ std::optional<double> highest_below(double limit, const Shaft& shaft, const Dept
     part.cut(0, -1, -highest);
     if (part.count == 0) return true;
     const Vec3 more = difference_along(cell.axes, t, shaft.frame.axes[0]);
-    for (int axis = 0; axis < 3; ++axis) bend[axis] = std::max(bend[axis], more[axis]);
+    for (int axis = 0; axis < 3; ++axis) bounds.bend[axis] = std::max(bounds.bend[axis], more[axis]);
     for (std::size_t i = 0; i < part.count; ++i) {
       highest = std::max(highest, part.corners[i].x);
       goes_through = goes_through || part.corners[i].x > limit;
@@ -134,7 +135,7 @@ void add_bound_by_height(const DepthSide& solid, const DepthSide::Place& middle,
   const Shaft shaft = shaft_over(cell, upwards, slack);
   const double of_nearest = middle.inside ? middle.surface.upper : -middle.surface.lower;
   const double limit = std::max(shaft.range.upper.x, of_nearest) + cell.radius / 2 + 16 * slack;
-  const std::optional<double> highest = highest_below(limit, shaft, cell, solid.mesh(), slack, bounds.bend);
+  const std::optional<double> highest = highest_below(limit, shaft, cell, solid.mesh(), slack, bounds);
   if (!highest) return;
   if (*highest == shaft.range.lower.x) {  // nothing is above its lowest corner, and no point of it inside
     bounds.count = 0;

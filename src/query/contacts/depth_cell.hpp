@@ -40,8 +40,9 @@ struct DepthCell {
 struct DistanceBounds {
   std::size_t count = 0;  ///< none: no point of the cell is inside
   std::array<std::array<double, 8>, 3> at_corners{};
-  Vec3 outwards{};  ///< about the way to the surface from inside
-  Vec3 bend{};      ///< how much the surface's normals differ from the height's direction along each axis of the cell
+  Vec3 outwards{};            ///< about the way to the surface from inside
+  std::size_t triangles = 0;  ///< that were looked at
+  Vec3 bend{};  ///< how much the surface's normals differ from the height's direction along each axis of the cell
 };
 
 /// By the distance from the middle alone.

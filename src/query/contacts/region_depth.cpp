@@ -98,8 +98,9 @@ class CommonDepthSearch {
     waiting_ = {};
     settled_ = 0;
     seen_ = 0;
+    cost_ = 0;
     wait_for(looked_into(root_around(box)));
-    while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && seen_ < most_cells) {
+    while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
       if (until == Until::some_point && best_.depth > 0) return;
       const WaitingCell cell = waiting_.top();
       waiting_.pop();
@@ -175,6 +176,7 @@ class CommonDepthSearch {
   /// With its own bound, which is not more than the one it had: 0 where it has nothing in common with both.
   [[nodiscard]] WaitingCell looked_into(WaitingCell cell) {
     cell.number = ++seen_;
+    cost_ += cost_of_cell;
     const double had = cell.bound;
     cell.bound = 0;
     const DepthCell world = posed(cell);
@@ -194,6 +196,7 @@ class CommonDepthSearch {
       add_bound_by_height(b_, in_b, world, own ? of_b.outwards : -of_a.outwards, slack_, of_b);
       cell.bound = std::min(cell.bound, greatest_sum(of_a, of_b));
     }
+    cost_ += of_a.triangles + of_b.triangles;
     const Vec3 slope = of_a.outwards + of_b.outwards;
     for (int i = 0; i < 3; ++i)
       cell.change[i] = std::abs(dot(slope, world.axes[static_cast<std::size_t>(i)])) + of_a.bend[i] + of_b.bend[i];
@@ -210,8 +213,9 @@ class CommonDepthSearch {
   static constexpr double asked_precision = 0.1;
   /// What is narrower than that share of the coordinates is not looked into.
   static constexpr double least_width = 0x1p-40;
-  /// Of press fits all around a shaft some hundreds are needed, of what lies across two faces a few.
-  static constexpr std::size_t most_cells = 2000;
+  /// What is looked at, in triangles, before the search ends: some tenths of a second. A press fit all around a shaft
+  /// takes about two thousand cells, what lies across two faces one or a few.
+  static constexpr std::size_t most_cost = 5'000'000, cost_of_cell = 500;
 
   const DepthSide& a_;
   const DepthSide& b_;
@@ -223,6 +227,7 @@ class CommonDepthSearch {
   std::priority_queue<WaitingCell> waiting_;
   double settled_ = 0;  ///< the greatest bound of the cells that were left
   std::size_t seen_ = 0;
+  std::size_t cost_ = 0;
 };
 
 }  // namespace
