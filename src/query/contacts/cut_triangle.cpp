@@ -13,7 +13,7 @@ namespace {
 /// Less than that share of a length is rounding, and of an area of no account.
 constexpr double least_share_of_size = 0x1p-36, least_share_of_area = 0x1p-48;
 
-double squared_length(const Vec3& v) { return dot(v, v); }
+double squared_size(const Vec3& v) { return dot(v, v); }
 
 /// Of what lies over a convex polygon in its plane, seen against the normal.
 bool is_over(const Vec3& p, std::span<const Vec3> outline, const Vec3& normal) {
@@ -174,7 +174,7 @@ class TriangleCut {
 
   void add(UncutPart& part) {
     const Vec3 middle = middle_of(part.points);
-    const auto away = [&](const ContactSegment& s) { return squared_length(0.5 * s.from + 0.5 * s.to - middle); };
+    const auto away = [&](const ContactSegment& s) { return squared_size(0.5 * s.from + 0.5 * s.to - middle); };
     const auto nearest =
         std::min_element(part.beside.begin(), part.beside.end(),
                          [&](const ContactSegment& s, const ContactSegment& t) { return away(s) < away(t); });

@@ -111,6 +111,7 @@ CellFrame frame_along(const Vec3& direction, const Vec3& origin) {
 
 DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell,
                                   double slack) {
+  constexpr double of_point = 32;  // a nearest point is off by 10⁻¹² of the coordinates
   DistanceBounds bounds;
   const double radius = cell.radius + slack;
   if (!middle.inside && middle.surface.lower > radius) return bounds;
