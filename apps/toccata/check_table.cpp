@@ -103,7 +103,7 @@ std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
 }
 
 std::string region_line(const ContactRegion& region) {
-  const std::string depth = region.depth ? fmt::format(", depth {:.6g}", *region.depth) : "";
+  const std::string depth = region.depth ? ", " + depth_text(region.depth->lower, region.depth->upper) : "";
   return fmt::format("      region of {} at {}, area {:.6g}{}, normal {}\n",
                      counted(region.face_pairs, "pair of faces", "pairs of faces"), point_text(region.deepest),
                      region.area, depth, point_text(region.normal));

@@ -37,9 +37,13 @@ std::string nearest_text(const Distance& distance) {
 }
 
 std::string depth_text(const Penetration& penetration) {
-  if (penetration.upper == 0) return "0 deep";
-  const std::string upper = fmt::format("{:.6g}", penetration.upper), lower = fmt::format("{:.6g}", penetration.lower);
-  return (lower == upper ? upper : lower + " to " + upper) + " deep along " + point_text(penetration.direction);
+  const std::string depth = depth_text(penetration.lower, penetration.upper);
+  return penetration.upper == 0 ? depth : depth + " along " + point_text(penetration.direction);
+}
+
+std::string depth_text(double lower, double upper) {
+  const std::string least = fmt::format("{:.6g}", lower), most = fmt::format("{:.6g}", upper);
+  return (least == most ? most : least + " to " + most) + " deep";
 }
 
 std::string depth_text(const Penetration& penetration, DepthEnd end) {

@@ -27,6 +27,9 @@ std::string depth_text(const Penetration& penetration, DepthEnd end);
 /// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
 std::string length_text(double length, const std::string& unit);
 
+/// "0.5 deep", or both bounds where their digits differ.
+std::string depth_text(double lower, double upper);
+
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();
 

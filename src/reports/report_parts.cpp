@@ -121,7 +121,8 @@ Json json_of(const ContactRegion& region) {
           {"closed", region.closed},
           {"area", region.area},
           {"normal", json_of(region.normal)},
-          {"depth", region.depth ? Json(*region.depth) : Json()},
+          {"depth", region.depth ? Json(region.depth->lower) : Json()},
+          {"depth_upper", region.depth ? Json(region.depth->upper) : Json()},
           {"deepest", json_of(region.deepest)}};
 }
 

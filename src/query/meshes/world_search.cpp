@@ -8,6 +8,7 @@
 #include "math/vec3_measures.hpp"
 #include "math/world_vertex.hpp"
 #include "query/meshes/cull_bounds.hpp"
+#include "query/meshes/shaft_search.hpp"
 #include "query/meshes/wide_cull.hpp"
 #include "trees/prism_directions.hpp"
 
@@ -128,6 +129,14 @@ WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle) {
 void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
   add_usable(below(mesh, half_space), mesh, probe);
+  walk_probe(mesh.model().wide_bvh(), probe, visit);
+}
+
+void visit_triangles_in(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit) {
+  WideProbe probe;
+  for (int i = 0; i < 3; ++i)
+    add_usable(along(mesh, shaft.directions[static_cast<std::size_t>(i)], {shaft.low[i], shaft.high[i]}, shaft.reach),
+               mesh, probe);
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 
