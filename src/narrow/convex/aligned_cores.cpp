@@ -153,12 +153,12 @@ std::optional<Distance> offset_distance(const AlignedPair& pair, const BoundedNu
 }
 
 /// Up to three vertices of the least face of a core that holds one of its points.
-struct Feature {
+struct FaceOfCore {
   std::array<Index, 3> vertex{};
   std::size_t count = 0;
 };
 
-Feature feature_at(const PosedPolytope& core, const Extents& extents, const Vec3& point) {
+FaceOfCore face_of_core_at(const PosedPolytope& core, const Extents& extents, const Vec3& point) {
   const auto is_of_face = [&](const Vec3& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
       const AxisInterval& along = extents[static_cast<std::size_t>(axis)];
@@ -167,7 +167,7 @@ Feature feature_at(const PosedPolytope& core, const Extents& extents, const Vec3
     }
     return true;
   };
-  Feature feature;
+  FaceOfCore feature;
   const bool is_point = core.vertex(0) == core.vertex(core.vertex_count() - 1);  // a segment's, too
   const Index count = is_point ? 1 : core.vertex_count();
   for (Index i = 0; i < count && feature.count < 3; ++i)
@@ -175,7 +175,7 @@ Feature feature_at(const PosedPolytope& core, const Extents& extents, const Vec3
   return feature;
 }
 
-VertexPairs pairs_of(const Feature& a, const Feature& b) {
+VertexPairs pairs_of(const FaceOfCore& a, const FaceOfCore& b) {
   VertexPairs pairs;
   for (std::size_t i = 0; i < a.count; ++i) pairs.append(a.vertex[i], b.vertex[0]);
   for (std::size_t i = 1; i < b.count; ++i) pairs.append(a.vertex[0], b.vertex[i]);
@@ -253,7 +253,8 @@ std::optional<ConvexSeparation> part_aligned_cores(const PosedPolytope& a, const
   nearest.on_b = exactly(pair->on_b);
   const auto depth = rounded_depth(nearest, pair->radius_a, pair->radius_b);
   if (!depth) return {};
-  return ConvexSeparation{*depth, pairs_of(feature_at(a, pair->a, pair->on_a), feature_at(b, pair->b, pair->on_b))};
+  return ConvexSeparation{*depth,
+                          pairs_of(face_of_core_at(a, pair->a, pair->on_a), face_of_core_at(b, pair->b, pair->on_b))};
 }
 
 }  // namespace toccata
