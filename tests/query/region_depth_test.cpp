@@ -222,7 +222,11 @@ struct SlowSolid {
 
 std::vector<TriangleMesh> some_solids() {
   const std::vector<Vec2> corner = {{-1, -1}, {1, -1}, {1, -0.4}, {-0.4, -0.4}, {-0.4, 1}, {-1, 1}};
-  return {box_mesh({0.7, 0.8, 0.9}), icosphere_mesh(0.9, 1), extruded_mesh(corner, 0.8),
+  const std::vector<Vec2> slit = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0.03}, {0, 0.03}, {0, -0.03}, {-1, -0.03}};
+  return {extruded_mesh(slit, 1.2),
+          box_mesh({0.7, 0.8, 0.9}),
+          icosphere_mesh(0.9, 1),
+          extruded_mesh(corner, 0.8),
           torus_mesh({.radius = 0.7, .tube_radius = 0.25, .around = 12, .sides = 8}),
           noise_sphere_mesh({.subdivisions = 1})};
 }
