@@ -46,6 +46,7 @@ const std::map<std::string, Words>& samples() {
                                                    {"--json", {"--json"}},
                                                    {"--csv", {"--csv"}},
                                                    {"--threads", {"--threads", "2"}},
+                                                   {"--cache", {"--cache", "trees"}},
                                                    {"--html", {"--html", "page.html"}},
                                                    {"--png", {}},   // needs a browser
                                                    {"--size", {}},  // needs --png, as does --look
