@@ -129,7 +129,7 @@ TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
       }
       ++pairs;
     }
-  EXPECT_EQ(pairs, 26U * 25 / 2);
+  EXPECT_EQ(pairs, 27U * 26 / 2);
 }
 
 TEST_F(CheckOptionsTogether, WhatIsGivenTwiceIsTroubleUnlessItMayBeRepeated) {
