@@ -53,7 +53,7 @@ void print_answer(const CheckInput& input, const SceneQuestion& question, const 
                   const PosedArguments& arguments, const TableText& table) {
   std::string text = text_of(input, answer, arguments.format, table);
   if (arguments.format == Format::json) text = with_asked(std::move(text), asked_of(input, arguments, question));
-  print_warnings(input.loaded.warnings);
+  print_warnings(untold_warnings(input.loaded));
   print_answer(text);
 }
 

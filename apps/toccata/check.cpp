@@ -11,6 +11,7 @@
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
+#include "check_rules.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
 #include "option_kinds.hpp"
@@ -18,19 +19,86 @@
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/reports/report.hpp"
+#include "toccata/reports/scene_question.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 namespace {
 
-int run_check_poses(const CheckArguments& arguments) {
+/// What counts as found, for the exit code.
+enum class FailOn { any, hard, added };
+
+/// With what only `check` has of options.
+struct CheckCommand : CheckArguments {
+  RuleArguments rules;
+  std::string baseline;  ///< a file; empty: none
+  PairOrder order = PairOrder::objects;
+  FailOn fail_on = FailOn::any;
+
+  // As they are written.
+  std::string order_word = "objects", fail_on_word = "any";
+};
+
+/// Options that have nothing to do with each other, and why.
+struct Refusal {
+  const char* option;
+  std::vector<const char*> others;
+  const char* why;
+};
+
+const std::vector<Refusal>& refusals() {
+  static const std::vector<Refusal> all = {
+      {"--self",
+       {"--poses", "--penetration", "--clearance", "--clearance-of", "--solid", "--touching", "--rules", "--ignore",
+        "--between", "--baseline", "--sort", "--fail-on"},
+       "--self asks where each object meets itself as a surface, and not about pairs"},
+      {"--poses",
+       {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort"},
+       "--poses asks about two objects at many poses, and not about the pairs of a scene"},
+  };
+  return all;
+}
+
+/// Throws Error naming both options and the reason.
+void require_company(const CLI::App& app) {
+  for (const Refusal& refusal : refusals())
+    for (const char* other : refusal.others)
+      if (app.count(refusal.option) > 0 && app.count(other) > 0)
+        throw Error(fmt::format("{0} excludes {1}: {2}; give one of the two", refusal.option, other, refusal.why));
+}
+
+/// Of the pairs that are reported. What may overlap, for all that could be decided, counts as if it did.
+bool is_failure(const ReportedPair& pair, FailOn fail_on) {
+  switch (fail_on) {
+    case FailOn::any:
+      return true;
+    case FailOn::hard:
+      return counts_as_contact(pair.relation, Touching::ignore);
+    case FailOn::added:
+      return since_baseline(pair) != Since::known;
+  }
+  return true;
+}
+
+int code_of(const CheckReport& report, FailOn fail_on) {
+  const auto fails = [&](const ReportedPair& pair) { return is_failure(pair, fail_on); };
+  return std::any_of(report.pairs.begin(), report.pairs.end(), fails) ? 1 : 0;
+}
+
+int run_check_poses(const CheckCommand& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   warn_of_open_meshes(input);
+  std::vector<std::string> left_out;
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
-                                    arguments.penetration, depth_options(arguments, input.loaded.warnings)};
-  return exit_code_of(answer_to(question, input, arguments, "checking"));
+                                    arguments.penetration, depth_options(arguments, left_out)};
+  warn_at_once(input.loaded, left_out);
+  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
+  if (arguments.fail_on == FailOn::any) return exit_code_of(answer);
+  const std::vector<Relation>& relations = std::get<PosesReport>(answer).relations;
+  const auto is_hard = [](const Relation& relation) { return counts_as_contact(relation, Touching::ignore); };
+  return std::any_of(relations.begin(), relations.end(), is_hard) ? 1 : 0;
 }
 
 int run_check_self(const CheckArguments& arguments) {
@@ -40,14 +108,30 @@ int run_check_self(const CheckArguments& arguments) {
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
-int run_check(const CheckArguments& arguments) {
+CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
+  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
+  std::vector<std::string> left_out;
+  question.depth = depth_options(arguments, left_out);
+  warn_at_once(loaded, left_out);
+  question.rules = read_rules(arguments.rules, loaded.scene, loaded.warnings);
+  if (!arguments.baseline.empty()) question.baseline = read_baseline(arguments.baseline, loaded.scene);
+  question.order = arguments.order;
+  return question;
+}
+
+int run_check(const CheckCommand& arguments, const std::vector<std::string>& asking) {
   const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
                            arguments.touching != Touching::count || !arguments.clearance.empty() ||
-                           !arguments.clearances_of.empty() || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {"check", asks_itself, true})) return *code;
+                           !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
+                           !arguments.baseline.empty() || arguments.order != PairOrder::objects ||
+                           arguments.fail_on != FailOn::any || changes_objects(arguments);
+  if (const auto code = answered_case(arguments, {.asks = "check",
+                                                  .asks_itself = asks_itself,
+                                                  .takes_any = true,
+                                                  .asking = asks_itself ? asking : std::vector<std::string>{}}))
+    return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
-  require_touching_counts(arguments);
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
   LoadedScene& loaded = input.loaded;
@@ -57,9 +141,9 @@ int run_check(const CheckArguments& arguments) {
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input);
-  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  question.depth = depth_options(arguments, loaded.warnings);
-  return exit_code_of(answer_to(question, input, arguments, "checking"));
+  const CheckQuestion question = question_of(arguments, loaded);
+  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
+  return code_of(std::get<CheckReport>(answer), arguments.fail_on);
 }
 
 }  // namespace
@@ -82,7 +166,13 @@ DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::str
 }
 
 CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances) {
-  return {arguments.touching, faces, arguments.penetration, clearances.common, clearances.of_pairs};
+  CheckQuestion question;
+  question.touching = arguments.touching;
+  question.faces = faces;
+  question.penetration = arguments.penetration;
+  question.clearance = clearances.common;
+  question.pair_clearances = clearances.of_pairs;
+  return question;
 }
 
 std::string table_of(const CheckInput& input, const CheckReport& report) {
@@ -98,7 +188,8 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
     const Relation& relation = report.relations[i];
     rows.push_back({fmt::format("query {}", i), names[0], verb_of(relation), names[1], remark_on(relation)});
     const bool has_depth = relation.kind != RelationKind::apart;
-    if (!report.penetrations.empty()) rows.back().push_back(has_depth ? depth_text(report.penetrations[i]) : "");
+    if (!report.penetrations.empty())
+      rows.back().push_back(has_depth ? depth_text(report.penetrations[i], report.depth_ends[i]) : "");
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
   }
   const std::size_t contacts = contact_count(report);
@@ -148,14 +239,14 @@ Summary summary_of(const SelfReport& report) {
 }
 
 Subcommand add_check(CLI::App& app) {
-  const auto arguments = std::make_shared<CheckArguments>();
+  const auto arguments = std::make_shared<CheckCommand>();
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, arguments->input, any_files);
-  CLI::Option* poses = add_poses(*check, *arguments);
-  CLI::Option* solid = add_solid(*check, *arguments);
-  CLI::Option* touching = check->add_option("--touching", arguments->touching_word, "whether merely touching counts")
-                              ->check(CLI::IsMember({"count", "ignore"}))
-                              ->capture_default_str();
+  add_poses(*check, *arguments);
+  add_solid(*check, *arguments);
+  check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
+      ->check(CLI::IsMember({"count", "ignore"}))
+      ->capture_default_str();
   CLI::Option* penetration = check->add_flag("--penetration", arguments->penetration,
                                              "how deep solids overlap, a way to part them, their regions of contact "
                                              "and (without --poses) their points of contact");
@@ -167,23 +258,31 @@ Subcommand add_check(CLI::App& app) {
       ->add_option("--time-limit", arguments->time_limit_word,
                    "seconds for the depth of each pair: then the bracket so far is told (none)")
       ->needs(penetration);
-  const auto [clearance, clearance_of] = add_clearances(*check, *arguments);
-  clearance->excludes(poses);
-  clearance_of->excludes(poses);
+  add_clearances(*check, *arguments);
+  add_rules(*check, arguments->rules);
+  add_file(*check, "--baseline", arguments->baseline,
+           "an earlier report of --json: which pairs are new since, which are known and which are gone", "REPORT.json");
   check
-      ->add_flag("--self", arguments->self,
-                 "each object against itself, instead of against the others: where its own faces meet")
-      ->excludes(poses)
-      ->excludes(penetration)
-      ->excludes(clearance)
-      ->excludes(clearance_of)
-      ->excludes(solid)
-      ->excludes(touching);
+      ->add_option(
+          "--fail-on", arguments->fail_on_word,
+          "exit code 1 for any pair that is told, only for hard ones, which do more than touch or come near, or "
+          "only for what is new or graver than in the baseline")
+      ->check(CLI::IsMember({"any", "hard", "new"}))
+      ->capture_default_str();
+  check
+      ->add_option("--sort", arguments->order_word,
+                   "the order of the pairs: that of the objects, or first what overlaps, the deepest of it first where "
+                   "--penetration is asked, then what touches, then what is near")
+      ->check(CLI::IsMember({"objects", "severity"}))
+      ->capture_default_str();
+  check->add_flag("--self", arguments->self,
+                  "each object against itself, instead of against the others: where its own faces meet");
   check->add_flag("--faces", arguments->faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   add_writing(*check, *arguments, "docs/reference/check-report.md");
   check->footer(
-      with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.\n\n"
+      with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is (--fail-on says what "
+                "counts), 2 trouble.\n\n"
                 "Example:\n"
                 "  {0} demo --write scenes\n"
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"
@@ -192,12 +291,21 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check part.stl --self --faces\n"
                 "  {0} check shapes.json --penetration\n"
                 "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
+                "  {0} check assembly.glb --rules rules.txt --ignore 'bolt*,nut*' --touching ignore\n"
+                "  {0} check assembly.glb --baseline yesterday.json --fail-on new --sort severity --json\n"
                 "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
-  return {check, [arguments] {
+  return {check, [arguments, check] {
+            require_company(*check);
+            if (arguments->fail_on_word == "new" && arguments->baseline.empty())
+              throw Error(
+                  "--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
             take_words(*arguments);
             arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
-            return run_check(*arguments);
+            if (arguments->order_word == "severity") arguments->order = PairOrder::severity;
+            if (arguments->fail_on_word != "any")
+              arguments->fail_on = arguments->fail_on_word == "hard" ? FailOn::hard : FailOn::added;
+            return run_check(*arguments, asking_options(*check));
           }};
 }
 

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 
+#include "output.hpp"
+#include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/io/query_files.hpp"
 #include "toccata/query/check_all.hpp"
 #include "words.hpp"
@@ -33,16 +37,32 @@ void apply_solid(Scene& scene, std::optional<Solid> solid) {
   for (SceneObject& object : scene.objects) object.solid = *solid;
 }
 
+/// With the trees of the folder --cache, where it is given; those that it lacks are written there.
+std::vector<SceneInstance> models_of(LoadedScene& loaded, const PosedArguments& arguments) {
+  ProgressBar bar("building trees");
+  if (arguments.input.cache.empty()) return scene_models(loaded.scene, arguments.threads);
+  TreeCache cache(arguments.input.cache);
+  std::vector<SceneInstance> models = cache.models(loaded.scene, arguments.threads);
+  {
+    const UninterruptedWriting writing;
+    cache.save();
+  }
+  loaded.warnings.insert(loaded.warnings.end(), cache.warnings().begin(), cache.warnings().end());
+  return models;
+}
+
 /// Not a height field, which everybody knows to be open.
 bool is_mesh(const Model& model) { return kind_of(model.shape()) == ShapeKind::mesh; }
 
 }  // namespace
 
 CheckInput read_check_input(const PosedArguments& arguments) {
-  CheckInput input{load(arguments.input), {}};
+  InputArguments files = arguments.input;
+  files.threads = arguments.threads;
+  CheckInput input{load(files), {}};
   apply_poses(input.loaded, arguments);
   apply_solid(input.loaded.scene, arguments.solid);
-  input.models = scene_models(input.loaded.scene, arguments.threads);
+  input.models = models_of(input.loaded, arguments);
   return input;
 }
 
@@ -59,6 +79,11 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
 
 void warn_of_open_meshes(CheckInput& input) {
   constexpr std::size_t most_names = 5;
+  // What takes time is found out for all at once.
+  parallel_for(input.models.size(), all_threads, [&](std::size_t i) {
+    const SceneInstance& posed = input.models[i];
+    if (posed.solid == Solid::automatic && is_mesh(posed.model)) static_cast<void>(posed.model.closed());
+  });
   std::vector<std::string> open;
   for (const SceneInstance& posed : input.models)
     if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) open.push_back(posed.name);
@@ -70,6 +95,16 @@ void warn_of_open_meshes(CheckInput& input) {
       open.size(), counted(input.models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
       open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
       shown < open.size() ? ", …" : ""));
+}
+
+void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {
+  print_warnings(warnings);
+  loaded.warnings.insert(loaded.warnings.begin(), warnings.begin(), warnings.end());
+  loaded.told_warnings += warnings.size();
+}
+
+std::vector<std::string> untold_warnings(const LoadedScene& loaded) {
+  return {loaded.warnings.begin() + static_cast<std::ptrdiff_t>(loaded.told_warnings), loaded.warnings.end()};
 }
 
 }  // namespace toccata::command

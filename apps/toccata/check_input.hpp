@@ -26,4 +26,8 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
 /// An open mesh among solids contains nothing: whoever did not know that it is open should. Adds a warning then.
 void warn_of_open_meshes(CheckInput& input);
 
+/// Adds warnings in front of the others and prints them at once: before long work what is left out of it.
+void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings);
+[[nodiscard]] std::vector<std::string> untold_warnings(const LoadedScene& loaded);
+
 }  // namespace toccata::command

@@ -26,10 +26,73 @@ std::string near_text(const ReportedPair& pair) {
          (is_decided ? "" : " (undecided: within 10⁻¹² of its clearance)");
 }
 
-std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair) {
+std::string verb_of(const FormerPair& pair) {
+  Relation relation;
+  relation.kind = pair.kind;
+  relation.containment = pair.containment;
+  return pair.kind == RelationKind::apart ? "clearance clash" : verb_of(relation);
+}
+
+/// How it stands against the baseline, with the relation of then where that was another.
+std::string since_text(const ReportedPair& pair, const std::string& verb) {
+  const std::string since = name_of(since_baseline(pair));
+  const std::string before = pair.was ? verb_of(*pair.was) : verb;
+  return before == verb ? since : since + " (before: " + before + ")";
+}
+
+std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair, bool has_baseline) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  return {names[pair.a], is_near ? "clearance clash" : verb_of(pair.relation), names[pair.b],
-          is_near ? near_text(pair) : remark_on(pair.relation)};
+  const std::string verb = is_near ? "clearance clash" : verb_of(pair.relation);
+  std::vector<std::string> row{names[pair.a], verb, names[pair.b],
+                               is_near ? near_text(pair) : remark_on(pair.relation)};
+  if (has_baseline) row.insert(row.begin(), since_text(pair, verb));
+  return row;
+}
+
+std::string reason_text(GoneReason reason) {
+  switch (reason) {
+    case GoneReason::apart:
+      return "no clash now";
+    case GoneReason::touching:
+      return "now merely touching, ignored as asked";
+    case GoneReason::left_out:
+      return "not checked now";
+    case GoneReason::no_object:
+      return "not in the files now";
+  }
+  return {};
+}
+
+/// What is gone of the baseline, and how many pairs are new, known and graver.
+std::string baseline_lines(const CheckReport& report) {
+  std::vector<std::vector<std::string>> rows;
+  for (const GonePair& pair : report.gone)
+    rows.push_back({"gone", printable(pair.was.a), verb_of(pair.was), printable(pair.was.b),
+                    "(" + reason_text(pair.reason) + ")"});
+  const auto count = [&](Since since) {
+    return grouped(
+        static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [&](const ReportedPair& pair) {
+          return since_baseline(pair) == since;
+        })));
+  };
+  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} known, {} gone.\n",
+                                        printable(*report.baseline), count(Since::added), count(Since::graver),
+                                        count(Since::known), grouped(report.gone.size()));
+}
+
+/// As the lengths were understood.
+std::string clearance_line(const Scene& scene, const CheckReport& report) {
+  const std::vector<std::string> names = table_names(scene.objects);
+  std::string text = "Clearance " + length_text(*report.clearance, scene.unit);
+  const std::size_t shown = std::min(report.pair_clearances.size(), most_listed);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const PairClearance& pair = report.pair_clearances[i];
+    text += fmt::format("; {} between {} and {}", length_text(pair.clearance, scene.unit),
+                        names[std::min(pair.a, pair.b)], names[std::max(pair.a, pair.b)]);
+  }
+  if (shown < report.pair_clearances.size())
+    text += fmt::format("; and of {} their own", counted(report.pair_clearances.size() - shown, "more pair"));
+  return text + ".\n";
 }
 
 /// Why a pair has no depth.
@@ -40,7 +103,7 @@ std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
 }
 
 std::string region_line(const ContactRegion& region) {
-  const std::string depth = region.depth ? fmt::format(", depth {:.6g}", *region.depth) : "";
+  const std::string depth = region.depth ? ", " + depth_text(region.depth->lower, region.depth->upper) : "";
   return fmt::format("      region of {} at {}, area {:.6g}{}, normal {}\n",
                      counted(region.face_pairs, "pair of faces", "pairs of faces"), point_text(region.deepest),
                      region.area, depth, point_text(region.normal));
@@ -77,24 +140,11 @@ std::string element_lines(const std::vector<ContactManifold>& manifolds) {
   return text;
 }
 
-/// Of a bracket that is wider than asked.
-std::string end_text(DepthEnd end) {
-  switch (end) {
-    case DepthEnd::precise:
-      return "";
-    case DepthEnd::exhausted:
-      return ", as narrow as could be proved";
-    case DepthEnd::out_of_time:
-      return ", when the time was over";
-  }
-  return "";
-}
-
 /// How deep they overlap, and a line for each point and region of contact.
 std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
   if (pair.relation.kind == RelationKind::apart) return {};
-  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration) + end_text(pair.depth_end) + "\n"
-                                                  : depth_refusal(scene, pair));
+  std::string text =
+      "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end) + "\n" : depth_refusal(scene, pair));
   if (pair.manifold)
     for (int i = 0; i < pair.manifold->count; ++i) text += point_line("contact", *pair.manifold, i);
   return text + element_lines(pair.manifolds) + region_lines(pair.regions);
@@ -103,7 +153,7 @@ std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
 std::string pair_lines(const Scene& scene, const CheckReport& report) {
   const std::vector<std::string> names = table_names(scene.objects);
   std::vector<std::vector<std::string>> rows;
-  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair));
+  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair, report.baseline.has_value()));
   if (!report.has_faces && !report.has_penetration) return columns(rows, 2);
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -158,6 +208,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
                                  counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),
                                  counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
+  if (report.clearance) text += clearance_line(scene, report);
   if (report.pairs.empty())
     text += std::string("Nothing collides") + (report.clearance ? " or is nearer than its clearance" : "") +
             (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");
@@ -168,6 +219,9 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
                         decided_text(undecided));
   if (report.ignored_touching > 0)
     text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
+  if (report.left_out.value_or(0) > 0)
+    text += fmt::format("{} left out by rules, not looked at.\n", counted(*report.left_out, "pair"));
+  if (report.baseline) text += baseline_lines(report);
   return text;
 }
 

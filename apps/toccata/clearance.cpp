@@ -19,40 +19,40 @@ namespace {
 struct Typed {
   std::string_view option;
   std::string_view text;
-  std::string_view form;  ///< how it is written
+  std::string_view form;      ///< how it is written
+  std::string_view number{};  ///< the unit of a number alone, where that is not the scene's
   Longest longest = Longest::infinite;
 };
 
 constexpr std::string_view pair_form = "NAME,NAME=LENGTH";
 
 [[noreturn]] void refuse(const Typed& typed) {
-  throw Error(
-      fmt::format("{} {}: write {}, where a length is 0 or more, in units of the scene (0.5) or with its own "
-                  "(2mm, 0.1in){}",
-                  typed.option, typed.text, typed.form, typed.longest == Longest::infinite ? ", or all" : ""));
+  throw Error(fmt::format("{} {}: write {}, where a length is 0 or more, in {} (0.5) or with its own (2mm, 0.1in){}",
+                          typed.option, typed.text, typed.form,
+                          typed.number.empty() ? "units of the scene" : typed.number,
+                          typed.longest == Longest::infinite ? ", or all" : ""));
 }
 
 /// What a length of 1 in the named unit is in the world's.
-double world_units(const Typed& typed, std::string_view unit, const Scene& scene) {
-  if (scene.unit == "unit")
+double world_units(const Typed& typed, std::string_view unit, std::string_view world) {
+  if (world == "unit")
     throw Error(
         fmt::format("{} {} is given in {}, and the files do not say what their numbers mean: add --unit, or leave the "
                     "unit out",
                     typed.option, typed.text, unit));
-  std::string_view world = scene.unit;
   if (world.ends_with(" m")) world.remove_suffix(2);  // metres per unit, as a number
   return metres_per_unit(unit) / metres_per_unit(world);
 }
 
-double length_of(std::string_view text, const Typed& typed, const Scene& scene) {
+double length_of(std::string_view text, const Typed& typed, const LengthUnits& units) {
   if (text == "all" && typed.longest == Longest::infinite) return std::numeric_limits<double>::infinity();
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (error != std::errc() || !std::isfinite(number) || number < 0) refuse(typed);
-  if (unit.empty()) return number;
+  if (unit.empty()) return units.number.empty() ? number : number * world_units(typed, units.number, units.world);
   if (unit != "mm" && unit != "cm" && unit != "m" && unit != "km" && unit != "in" && unit != "ft") refuse(typed);
-  return number * world_units(typed, unit, scene);
+  return number * world_units(typed, unit, units.world);
 }
 
 std::optional<Index> object_named(const Scene& scene, std::string_view name) {
@@ -62,14 +62,14 @@ std::optional<Index> object_named(const Scene& scene, std::string_view name) {
 }
 
 /// The names may have commas in them: the first that leaves two objects counts.
-PairClearance pair_clearance(const std::string& text, const Scene& scene) {
-  const Typed typed{"--clearance-of", text, pair_form};
+PairClearance pair_clearance(const std::string& text, const Scene& scene, const LengthUnits& units) {
+  const Typed typed{"--clearance-of", text, pair_form, units.number};
   const std::size_t equals = text.rfind('=');
   if (equals == std::string::npos) refuse(typed);
   const std::string_view names = std::string_view(text).substr(0, equals);
   for (std::size_t comma = names.find(','); comma != std::string_view::npos; comma = names.find(',', comma + 1)) {
     const auto a = object_named(scene, names.substr(0, comma)), b = object_named(scene, names.substr(comma + 1));
-    if (a && b && *a != *b) return {*a, *b, length_of(std::string_view(text).substr(equals + 1), typed, scene)};
+    if (a && b && *a != *b) return {*a, *b, length_of(std::string_view(text).substr(equals + 1), typed, units)};
   }
   throw Error(fmt::format("{} {}: there are no two objects of these names; `{} inspect FILE` tells the names",
                           typed.option, text, called_as()));
@@ -81,22 +81,19 @@ bool asks_clearance(const CheckArguments& arguments) {
 
 }  // namespace
 
-void require_touching_counts(const CheckArguments& arguments) {
-  if (arguments.touching == Touching::ignore && asks_clearance(arguments))
-    throw Error(
-        "--touching ignore leaves out the pairs that touch, and --clearance and --clearance-of tell the pairs that are "
-        "near, to which they belong: leave one of the two out");
-}
+LengthUnits length_units(const Scene& scene, const InputArguments& input) { return {scene.unit, input.unit}; }
 
-double read_length(std::string_view option, std::string_view text, const Scene& scene, Longest longest) {
-  return length_of(text, {option, text, "LENGTH", longest}, scene);
+double read_length(std::string_view option, std::string_view text, const LengthUnits& units, Longest longest) {
+  return length_of(text, {option, text, "LENGTH", units.number, longest}, units);
 }
 
 ClearanceQuestion read_clearances(const CheckArguments& arguments, const Scene& scene) {
+  const LengthUnits units = length_units(scene, arguments.input);
   ClearanceQuestion question;
   if (asks_clearance(arguments)) question.common = 0;
-  if (!arguments.clearance.empty()) question.common = read_length("--clearance", arguments.clearance, scene);
-  for (const std::string& text : arguments.clearances_of) question.of_pairs.push_back(pair_clearance(text, scene));
+  if (!arguments.clearance.empty()) question.common = read_length("--clearance", arguments.clearance, units);
+  for (const std::string& text : arguments.clearances_of)
+    question.of_pairs.push_back(pair_clearance(text, scene, units));
   return question;
 }
 

@@ -17,15 +17,21 @@ struct ClearanceQuestion {
   std::vector<PairClearance> of_pairs;
 };
 
-/// Throws Error where touching is to be ignored and a clearance is asked for.
-void require_touching_counts(const CheckArguments& arguments);
-
 /// Whether a length may be "all", which is infinity.
 enum class Longest { finite, infinite };
 
-/// A length in world units, from a number of these, one with a unit behind it ("2mm"), or "all". Throws Error naming
-/// the option and what was written for what is none, and for a unit where the scene has none.
-double read_length(std::string_view option, std::string_view text, const Scene& scene,
+/// In what lengths are written.
+struct LengthUnits {
+  std::string_view world;     ///< as `Scene::unit`
+  std::string_view number{};  ///< of a number alone; empty: the world's, as that of points that are written beside it
+};
+
+/// Where no points are written: a number alone is in the unit that --unit says the files have.
+LengthUnits length_units(const Scene& scene, const InputArguments& input);
+
+/// A length in world units, from a number, one with a unit behind it ("2mm"), or "all". Throws Error naming the option
+/// and what was written for what is none, and for a unit where the scene has none.
+double read_length(std::string_view option, std::string_view text, const LengthUnits& units,
                    Longest longest = Longest::infinite);
 
 /// Throws Error as `read_length` does, and for objects that are not there.

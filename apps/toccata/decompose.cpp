@@ -50,7 +50,8 @@ int run_decompose(const DecomposeArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
   DecomposeQuestion question = arguments.question;
   if (!arguments.concavity.empty())
-    question.concavity = read_length("--concavity", arguments.concavity, input.loaded.scene, Longest::finite);
+    question.concavity = read_length("--concavity", arguments.concavity,
+                                     length_units(input.loaded.scene, arguments.input), Longest::finite);
   const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
   const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
   if (arguments.format == Format::table)
@@ -89,8 +90,8 @@ Subcommand add_decompose(CLI::App& app) {
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   add_length(*decompose, "--concavity", arguments->concavity,
-             "cut no further where no point of a part is farther than this from the solid: a length in units of the "
-             "scene or with its own (0.5, 2mm, 0.1in)");
+             "cut no further where no point of a part is farther than this from the solid: a length in units of "
+             "--unit or the scene, or with its own (0.5, 2mm, 0.1in)");
   add_glb(*decompose, *arguments, "-o,--output,--glb");
   add_pages(*decompose, *arguments);
   add_save_case(*decompose, arguments->save_case);

@@ -6,9 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <set>
 
+#include "memory.hpp"
+#include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/core/parallel.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/scene_file.hpp"
 
@@ -67,6 +71,60 @@ class FreeNames {
   std::map<std::string, int> next_number_;  ///< of each name; those below are taken, and stay so
 };
 
+/// The files, each once.
+std::vector<std::string> different_files(const std::vector<std::string>& files) {
+  std::vector<std::string> different;
+  std::set<std::string> known;
+  for (const std::string& file : files)
+    if (known.insert(file).second) different.push_back(file);
+  return different;
+}
+
+/// Tells how much of all files is read whenever one of them is.
+class FilesRead {
+ public:
+  FilesRead(const std::vector<fs::path>& files, Progress tell) : tell_(std::move(tell)) {
+    for (const fs::path& file : files) {
+      std::error_code code;
+      const auto bytes = fs::file_size(file, code);
+      megabytes_.push_back(code ? 0 : static_cast<std::size_t>(bytes / 1'000'000));
+      total_ += megabytes_.back();
+    }
+    tell_(0, total_);
+  }
+
+  void finished(std::size_t file) {
+    const std::lock_guard lock(mutex_);
+    done_ += megabytes_[file];
+    tell_(done_, total_);
+  }
+
+ private:
+  Progress tell_;
+  std::vector<std::size_t> megabytes_;
+  std::size_t total_ = 0, done_ = 0;
+  std::mutex mutex_;
+};
+
+/// The scenes of all files, several at once; one that is named twice is read once.
+std::map<std::string, Scene> read_all(const InputArguments& input) {
+  const std::vector<std::string> files = different_files(input.files);
+  const ReadOptions options = read_options(input);
+  std::vector<fs::path> paths;
+  for (const std::string& file : files) paths.push_back(path_of(file, input.folder));
+  require_memory(paths);
+  std::vector<Scene> scenes(files.size());
+  ProgressBar bar("MB read");
+  FilesRead progress(paths, bar.callback());
+  parallel_for(files.size(), input.threads, [&](std::size_t i) {
+    scenes[i] = read_scene(paths[i].string(), options);
+    progress.finished(i);
+  });
+  std::map<std::string, Scene> read;
+  for (std::size_t i = 0; i < files.size(); ++i) read.emplace(files[i], std::move(scenes[i]));
+  return read;
+}
+
 /// Appends `part` to `whole`; its node and parent numbers move with it.
 void append(Scene& whole, const Scene& part, const std::string& file, bool file_is_new, FreeNames& names) {
   const Index node_offset = static_cast<Index>(whole.nodes.size());
@@ -95,12 +153,11 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   LoadedScene loaded;
-  std::map<std::string, Scene> read;
+  const std::map<std::string, Scene> read = read_all(input);
   FreeNames names;
-  const ReadOptions options = read_options(input);
+  std::set<std::string> known;
   for (const std::string& file : input.files) {
-    const bool file_is_new = !read.contains(file);
-    if (file_is_new) read.emplace(file, read_scene(path_of(file, input.folder), options));
+    const bool file_is_new = known.insert(file).second;
     loaded.first_object.push_back(loaded.scene.objects.size());
     loaded.first_node.push_back(loaded.scene.nodes.size());
     const Scene& scene = read.at(file);

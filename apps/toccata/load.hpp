@@ -16,6 +16,7 @@ struct LoadedScene {
   std::vector<std::size_t> first_node;    ///< the same of nodes
   std::vector<std::string> warnings;
   std::vector<std::string> units{};  ///< of each file; the scene has that of the first
+  std::size_t told_warnings = 0;     ///< so many of the first warnings have been printed
 };
 
 /// Reads all files into one scene. Objects of different files that are named alike get the file's path, or a number,

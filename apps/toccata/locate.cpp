@@ -30,6 +30,7 @@ struct LocateArguments {
   std::string points;  ///< a file
   std::string by = "mesh";
   BspOptions tree{};
+  bool says_growth = false;
   Format format = Format::table;
 };
 
@@ -110,7 +111,8 @@ PointLocator locator_of(const MspTree& tree) {
 
 PointLocator locator_of(const Model& model, const Pose& pose, const LocateArguments& arguments) {
   if (arguments.by == "mesh") return locator_of(model, pose);
-  if (!(pose == Pose{}))
+  // An open mesh is refused as such, wherever it stands.
+  if (model.closed() && !(pose == Pose{}))
     throw Error("the tree is asked in the mesh's own coordinates, and this mesh is scaled or posed");
   if (arguments.by == "bsp") return locator_of(BspTree(model, arguments.tree));
   return locator_of(MspTree(model, arguments.tree));
@@ -168,6 +170,16 @@ LocateJson report_of(const LocatedPoint& found, const TriangleMesh& mesh) {
     json["vertices"] = vertices_of(*found.feature, mesh.triangles()[*found.triangle]);
   }
   return json;
+}
+
+/// Before long work.
+void require_growth(const LocateArguments& arguments) {
+  if (arguments.says_growth && arguments.by == "mesh")
+    throw Error("--max-growth is of BSP and MSP trees, and the mesh's own is asked: say --by bsp or --by msp as well");
+  if (!(arguments.tree.max_growth >= 1))
+    throw Error(
+        fmt::format("--max-growth {}: a tree has a fragment of every triangle at least, so it has to be 1 or more",
+                    arguments.tree.max_growth));
 }
 
 std::vector<Vec3> points_to_locate(const LocateArguments& arguments) {
@@ -240,6 +252,7 @@ std::string json_of(const LocateAnswer& answer, const LocateArguments& arguments
 }
 
 int run_locate(const LocateArguments& arguments) {
+  require_growth(arguments);
   const std::vector<Vec3> points = points_to_locate(arguments);
   InputArguments input;
   input.files = {arguments.file};
@@ -268,7 +281,7 @@ Subcommand add_locate(CLI::App& app) {
       ->capture_default_str();
   locate
       ->add_option("--max-growth", arguments->tree.max_growth,
-                   "a BSP or MSP tree is given up beyond so many fragments a triangle")
+                   "a BSP or MSP tree is given up beyond so many fragments a triangle, 1 or more")
       ->type_name("NUMBER")
       ->capture_default_str();
   add_json(*locate, arguments->format, "write JSON (docs/reference/locate-report.md)");
@@ -277,7 +290,10 @@ Subcommand add_locate(CLI::App& app) {
                 "Exit code: 0 answered, 2 trouble: no closed mesh, or for the trees one that meets itself.\n\n"
                 "Example:\n  {0} locate part.stl --point 0 0 5\n"
                 "  {0} locate part.stl --points points.txt --by msp --json\n  {0} locate part.stl --by bsp"));
-  return {locate, [arguments] { return run_locate(*arguments); }};
+  return {locate, [arguments, locate] {
+            arguments->says_growth = locate->count("--max-growth") > 0;
+            return run_locate(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

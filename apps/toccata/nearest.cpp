@@ -70,7 +70,7 @@ int run_nearest(const NearestArguments& arguments) {
   question.sides = arguments.sides;
   require_view(arguments);
   const CheckInput input = read_check_input(arguments);
-  if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, input.loaded.scene);
+  if (!arguments.within.empty()) question.within = read_length("--within", arguments.within, {input.loaded.scene.unit});
   return exit_code_of(answer_to(question, input, arguments, "looking"));
 }
 

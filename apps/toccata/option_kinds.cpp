@@ -18,8 +18,12 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   app.add_option(
       "--unit", input.unit,
       "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
-      "given poses and all printed points, is then in metres");
+      "given poses and all printed points, is then in metres, and a clearance without a unit in this one");
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+  add_file(app, "--cache", input.cache,
+           "keep the trees of large meshes in this folder, and take from it those that an earlier run built "
+           "(docs/reference/tree-file.md)",
+           "FOLDER");
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& text, const std::string& help,
@@ -113,8 +117,8 @@ CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments) {
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
   CLI::Option* clearance =
       add_length(app, "--clearance", arguments.clearance,
-                 "also tell pairs that are at most so far apart, and how far: a length in units of the scene or with "
-                 "its own (0.5, 2mm, 0.1in); all: every pair");
+                 "also tell pairs that are at most so far apart, and how far: a length in the unit of the files, or of "
+                 "--unit, or with its own (0.5, 2mm, 0.1in); all: every pair");
   CLI::Option* clearance_of =
       app.add_option("--clearance-of", arguments.clearances_of, "another clearance for two objects; may be repeated")
           ->type_name("NAME,NAME=LENGTH")
@@ -153,8 +157,8 @@ void take_words(PosedArguments& arguments) {
 }
 
 std::vector<std::string> asking_options(const CLI::App& app) {
-  constexpr std::array writing{"--json", "--csv",  "--threads", "--html",   "--png",
-                               "--size", "--look", "--glb",     "--output", "--save-case"};
+  constexpr std::array writing{"--json", "--csv", "--threads", "--html",      "--png",  "--size",
+                               "--look", "--glb", "--output",  "--save-case", "--cache"};
   const auto is_about_writing = [&](const CLI::Option& option) {
     return std::any_of(writing.begin(), writing.end(), [&](const char* name) { return option.check_name(name); });
   };

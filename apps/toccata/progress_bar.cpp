@@ -9,27 +9,48 @@
 namespace toccata::command {
 
 ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      next_(Clock::now() + std::chrono::milliseconds(500)) {}
+    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) != 0), shower_([this] { keep_showing(); }) {}
 
 ProgressBar::~ProgressBar() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  over_.notify_one();
+  shower_.join();
   if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
 Progress ProgressBar::callback() {
-  if (!terminal_) return {};
-  return [this](std::size_t done, std::size_t total) { show(done, total); };
+  return [this](std::size_t done, std::size_t total) {
+    const std::lock_guard lock(mutex_);
+    done_ = done;
+    total_ = total;
+  };
 }
 
-void ProgressBar::show(std::size_t done, std::size_t total) {
-  const Clock::time_point now = Clock::now();
-  if (total == 0 || now < next_) return;
-  next_ = now + std::chrono::milliseconds(100);
+void ProgressBar::keep_showing() {
+  using namespace std::chrono_literals;
+  std::unique_lock lock(mutex_);
+  Clock::duration pause = terminal_ ? 500ms : 60s;
+  while (!over_.wait_for(lock, pause, [this] { return is_over_; })) {
+    show();
+    pause = terminal_ ? 100ms : 60s;
+  }
+}
+
+void ProgressBar::show() {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_).count();
+  const std::string so_far = total_ == 0 ? "" : fmt::format(" {}/{}", done_, total_);
+  if (!terminal_) {
+    fmt::print(stderr, "toccata: {}{}, {} min\n", label_, so_far, seconds / 60);
+    return;
+  }
   drawn_ = true;
   constexpr std::size_t width = 32;
-  const std::size_t filled = width * done / total;
-  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {}/{}", label_, "", filled, "", width - filled, done, total);
+  const std::size_t filled = total_ == 0 ? 0 : width * done_ / total_;
+  const std::string bar = total_ == 0 ? "" : fmt::format(" [{:#<{}}{:.<{}}]", "", filled, "", width - filled);
+  fmt::print(stderr, "\r{}{}{}, {} s\033[K", label_, bar, so_far, seconds);
   std::fflush(stderr);
 }
 

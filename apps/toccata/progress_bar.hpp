@@ -1,15 +1,18 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "toccata/core/parallel.hpp"
 
 namespace toccata::command {
 
-/// A bar on standard error while long work runs: only where that is a terminal, at most ten times a second, and not in
-/// the first half second. Gone when it ends.
+/// Tells on standard error how far long work is. On a terminal a bar, ten times a second, not in the first half second,
+/// and gone when it ends; elsewhere a line a minute.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);
@@ -17,17 +20,25 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// To be handed to the work; empty where no bar is shown.
+  /// To be handed to the work. Until it is called first, what is shown is for how long the work has been going on.
   [[nodiscard]] Progress callback();
 
  private:
-  void show(std::size_t done, std::size_t total);
+  void keep_showing();
+  void show();
 
   using Clock = std::chrono::steady_clock;
   std::string label_;
   bool terminal_;
   bool drawn_ = false;
-  Clock::time_point next_;
+  Clock::time_point start_ = Clock::now();
+
+  std::mutex mutex_;  ///< of what follows
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::size_t done_ = 0, total_ = 0;
+
+  std::thread shower_;
 };
 
 }  // namespace toccata::command

@@ -50,7 +50,7 @@ SubdivideQuestion question_of(const SubdivideArguments& arguments, const Scene& 
   if (!arguments.creases.empty()) question.features = read_creases(arguments.creases);
   if (arguments.sharp_corners) question.features.border = CageBorder::sharp_corner;
   if (!arguments.within.empty()) {
-    question.within = read_length("--within", arguments.within, scene, Longest::finite);
+    question.within = read_length("--within", arguments.within, length_units(scene, arguments.input), Longest::finite);
     if (question.within == 0) throw Error("--within 0: no mesh is nearer to a curved surface than that; write more");
   }
   return question;
@@ -122,8 +122,8 @@ Subcommand add_subdivide(CLI::App& app) {
   subdivide->add_option("--scheme", arguments->scheme, "how the cage is refined (catmull-clark)")
       ->check(CLI::IsMember({"loop", "catmull-clark"}));
   add_length(*subdivide, "--within", arguments->within,
-             "how far mesh and limit may be apart, or how wide the interval of a distance: a length in units of the "
-             "scene or with its own (0.5, 2mm, 0.1in)");
+             "how far mesh and limit may be apart, or how wide the interval of a distance: a length in units of "
+             "--unit or the scene, or with its own (0.5, 2mm, 0.1in)");
   subdivide->add_option("--levels", arguments->question.levels, "refine every face of one cage at least so often")
       ->check(CLI::Range(0, 30));
   subdivide

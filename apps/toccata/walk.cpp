@@ -37,7 +37,7 @@ struct WalkArguments : PosedArguments {
   WalkLength stride{"--stride", 0.1,
                     "how far it wants to go in a step, --to a point (default: 0.1 m, 3 m a second at 30 steps)"};
   WalkLength fall{"--fall", 0.01, "how much farther it falls in each step in the air than before (default: 0.01 m)"};
-  WalkLength skin{"--skin", 0.01, "how far it stays from everything (default: 0.01 m)"};
+  WalkLength skin{"--skin", 0.01, "how far it stays from everything, up to its radius (default: 0.01 m)"};
   WalkLength step_height{"--step-height", 0.3, "the highest step that it walks up (default: 0.3 m)"};
   WalkLength snap{"--snap", 0.3, "how far below it ground is looked for (default: 0.3 m)"};
   double max_slope = 45;
@@ -46,9 +46,20 @@ struct WalkArguments : PosedArguments {
 
 /// In units of the scene. Where that has none, a number of it is taken for metres.
 double length_asked(const WalkLength& length, const Scene& scene) {
-  if (!length.text.empty()) return read_length(length.option, length.text, scene, Longest::finite);
+  if (!length.text.empty()) return read_length(length.option, length.text, {scene.unit}, Longest::finite);
   if (scene.unit == "unit") return length.metres;
-  return read_length(length.option, fmt::format("{}m", length.metres), scene, Longest::finite);
+  return read_length(length.option, fmt::format("{}m", length.metres), {scene.unit}, Longest::finite);
+}
+
+/// A skin that is wider than the walker would have it keep off from all that it walks between.
+double skin_asked(const WalkArguments& arguments, const Scene& scene) {
+  const double skin = length_asked(arguments.skin, scene), radius = length_asked(arguments.radius, scene);
+  if (!(skin > 0 && skin <= radius))
+    throw Error(
+        fmt::format("the skin of the walker is {}, and has to be above 0 and no more than its radius, {}: say "
+                    "another --skin or --radius",
+                    skin, radius));
+  return skin;
 }
 
 /// It stands on the origin of its frame.
@@ -87,11 +98,21 @@ WalkQuestion walk_asked(const WalkArguments& arguments, const Scene& scene) {
   // The motions of a file are all that is wanted, unless more is said.
   question.fall = arguments.motion.empty() || !arguments.fall.text.empty() ? length_asked(arguments.fall, scene) : 0;
   question.most_steps = arguments.most_steps;
-  question.options.skin = length_asked(arguments.skin, scene);
+  question.options.skin = skin_asked(arguments, scene);
   question.options.step_height = length_asked(arguments.step_height, scene);
   question.options.snap_distance = length_asked(arguments.snap, scene);
   question.options.max_slope_degrees = arguments.max_slope;
   return question;
+}
+
+/// Steps of a file are as they are.
+void require_one_way(const CLI::App& walk) {
+  for (const char* option : {"--stride", "--most-steps"})
+    if (walk.count("--motion") > 0 && walk.count(option) > 0)
+      throw Error(
+          fmt::format("{} is about a walk --to a point; of --motion every line of the file is a step, as long as "
+                      "it says: leave one of the two out",
+                      option));
 }
 
 int run_walk(const WalkArguments& arguments, const std::vector<std::string>& asking) {
@@ -190,10 +211,9 @@ Subcommand add_walk(CLI::App& app) {
   add_input(*walk, arguments->input, any_files);
   add_point(*walk, "--from", arguments->from_words, "the point that it stands on at first");
   CLI::Option* to = add_point(*walk, "--to", arguments->to_words, "where it heads for, straight on");
-  CLI::Option* motion =
-      add_file(*walk, "--motion", arguments->motion,
-               "instead what it wants to go in each step, falling included: a file with three numbers a line")
-          ->excludes(to);
+  add_file(*walk, "--motion", arguments->motion,
+           "instead what it wants to go in each step, falling included: a file with three numbers a line")
+      ->excludes(to);
   for (WalkLength* length : {&arguments->radius, &arguments->height, &arguments->stride, &arguments->fall,
                              &arguments->skin, &arguments->step_height, &arguments->snap})
     add_length(*walk, length->option, length->text, length->help);
@@ -202,7 +222,6 @@ Subcommand add_walk(CLI::App& app) {
   walk->add_option("--most-steps", arguments->most_steps, "so many steps at most, on the way --to a point")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
       ->capture_default_str();
-  for (const char* of_a_place : {"--stride", "--most-steps"}) motion->excludes(walk->get_option(of_a_place));
   add_up(*walk, *arguments);
   add_solid(*walk, *arguments);
   add_writing(*walk, *arguments, "docs/reference/walk-report.md");
@@ -214,6 +233,7 @@ Subcommand add_walk(CLI::App& app) {
       "  {0} walk floor.obj walls.obj --from 0 0 0 --motion steps.txt --json > walk.json\n"
       "  {0} view walk.json -o walk.html"));
   return {walk, [arguments, walk] {
+            require_one_way(*walk);
             take_words(*arguments);
             return run_walk(*arguments, asking_options(*walk));
           }};

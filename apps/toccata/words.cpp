@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -36,9 +37,34 @@ std::string nearest_text(const Distance& distance) {
 }
 
 std::string depth_text(const Penetration& penetration) {
-  if (penetration.upper == 0) return "0 deep";
-  const std::string upper = fmt::format("{:.6g}", penetration.upper), lower = fmt::format("{:.6g}", penetration.lower);
-  return (lower == upper ? upper : lower + " to " + upper) + " deep along " + point_text(penetration.direction);
+  const std::string depth = depth_text(penetration.lower, penetration.upper);
+  return penetration.upper == 0 ? depth : depth + " along " + point_text(penetration.direction);
+}
+
+std::string depth_text(double lower, double upper) {
+  const std::string least = fmt::format("{:.6g}", lower), most = fmt::format("{:.6g}", upper);
+  return (least == most ? most : least + " to " + most) + " deep";
+}
+
+std::string depth_text(const Penetration& penetration, DepthEnd end) {
+  const std::string text = depth_text(penetration);
+  switch (end) {
+    case DepthEnd::precise:
+      break;
+    case DepthEnd::exhausted:
+      return text + ", as narrow as could be proved";
+    case DepthEnd::out_of_time:
+      return text + ", when the time was over";
+  }
+  return text;
+}
+
+std::string length_text(double length, const std::string& unit) {
+  if (std::isinf(length)) return "all";
+  if (unit == "unit") return fmt::format("{:.12g}", length);
+  if (unit.ends_with(" m")) return fmt::format("{:.12g} times {}", length, unit);
+  if (unit == "m" && length > 0 && length < 1) return fmt::format("{:.12g} mm", 1000 * length);
+  return fmt::format("{:.12g} {}", length, unit);
 }
 
 std::string called_as() {

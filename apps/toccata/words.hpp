@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toccata/narrow/convex_convex.hpp"
+#include "toccata/query/penetration.hpp"
 
 namespace toccata::command {
 
@@ -19,6 +20,15 @@ std::string nearest_text(const Distance& distance);
 
 /// "0.25 deep along (0, 0, 1)"; of two that do not overlap "0 deep".
 std::string depth_text(const Penetration& penetration);
+
+/// The same, with why its bracket is wider than asked, where it is.
+std::string depth_text(const Penetration& penetration, DepthEnd end);
+
+/// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
+std::string length_text(double length, const std::string& unit);
+
+/// "0.5 deep", or both bounds where their digits differ.
+std::string depth_text(double lower, double upper);
 
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();

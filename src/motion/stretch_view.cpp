@@ -108,8 +108,7 @@ StretchView::Along StretchView::along(const SweptThing& thing, const std::array<
     }
     const Pose& pose = poses[end];
     const WideBvh& tree = *thing.tree;
-    const Vec3 on{dot(direction, pose.linear.column(0)), dot(direction, pose.linear.column(1)),
-                  dot(direction, pose.linear.column(2))};
+    const Vec3 on = transpose(pose.linear) * direction;
     const double at_origin = dot(direction, pose.offset);
     const FormRange range = range_of(on, tree.box);
     const Vec3 units{sum_of_magnitudes(pose.linear[0]), sum_of_magnitudes(pose.linear[1]),

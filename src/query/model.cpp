@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "query/meshes/posed_mesh.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/builders.hpp"
+#include "trees/box_runs.hpp"
 #include "trees/leaf_triangles.hpp"
 #include "trees/oriented_boxes.hpp"
 #include "trees/wide_check.hpp"
@@ -24,9 +24,8 @@ namespace {
 std::vector<Aabb> boxes_of(const TriangleMesh& mesh) {
   std::vector<Aabb> boxes;
   boxes.reserve(mesh.triangle_count());
-  const auto vertices = mesh.vertices();
-  for (const auto& corner : mesh.triangles())
-    boxes.push_back(box_of({{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}}));
+  for (std::size_t triangle = 0; triangle < mesh.triangle_count(); ++triangle)
+    boxes.push_back(triangle_box(mesh, triangle));
   return boxes;
 }
 
@@ -36,7 +35,7 @@ std::shared_ptr<const TriangleMesh> require_mesh(std::shared_ptr<const TriangleM
 }
 
 WideBvh require_tree(WideBvh tree, const TriangleMesh& mesh) {
-  if (const std::string fault = fault_of(tree, boxes_of(mesh)); !fault.empty())
+  if (const std::string fault = fault_of(tree, mesh); !fault.empty())
     throw Error(fmt::format("this is no tree over the mesh of {} triangles: {}; build one from the mesh",
                             mesh.triangle_count(), fault));
   return tree;
@@ -52,7 +51,7 @@ struct Model::Parts {
         vertex_box(fit_aabb(mesh->vertices())) {}
 
   Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
-      : Parts(std::move(given), given_mesh, build_wide_bvh(boxes_of(*given_mesh), {.threads = threads})) {}
+      : Parts(std::move(given), given_mesh, build_wide_bvh(*given_mesh, {.threads = threads})) {}
 
   Parts(Compound given, int threads) : shape(given) {
     for (const CompoundPart& part : given.parts()) models.push_back(Model(part.shape, threads));
@@ -109,7 +108,7 @@ Refit Model::deform(std::vector<Vec3> vertices, int threads) {
   const Refit done = refit(alone ? parts_->wide_bvh : next->wide_bvh, *next->mesh, threads);
   if (alone) next->wide_bvh = std::move(parts_->wide_bvh);
   parts_ = next;
-  if (done.should_rebuild()) parts_->wide_bvh = build_wide_bvh(boxes_of(mesh()), {.threads = threads});
+  if (done.should_rebuild()) parts_->wide_bvh = build_wide_bvh(mesh(), {.threads = threads});
   return done;
 }
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "reports/face_pairs.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/reports/report.hpp"
 
 // What `check` found, as a value. The demo has no more of the reports than this file and report_words.cpp, so that it
@@ -52,8 +51,6 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
 CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                               const ReportOptions& options) {
   const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
-  if (asks_clearance && options.touching == Touching::ignore)
-    throw Error("pairs that touch are nearer than any clearance, so they cannot be ignored where one is asked for");
   CheckReport report;
   report.candidate_pairs = answer.candidate_pairs;
   report.has_faces = options.faces;

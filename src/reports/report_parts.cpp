@@ -73,8 +73,12 @@ void add_depth_options(Json& json, const DepthOptions& depth) {
 
 DepthOptions depth_options_of(const JsonValue& question) {
   DepthOptions depth;
+  const bool is_asked = question.flag_or("penetration", false);
   const auto take = [&](const char* key, double& number, const char* advice) {
     if (!question.has(key)) return;
+    if (!is_asked)
+      question.at(key).fail("this is about depths, which are not asked for",
+                            "add \"penetration\": true, or leave it out");
     number = question.at(key).number();
     if (!(number > 0)) question.at(key).fail("this is not above 0", advice);
   };
@@ -117,7 +121,8 @@ Json json_of(const ContactRegion& region) {
           {"closed", region.closed},
           {"area", region.area},
           {"normal", json_of(region.normal)},
-          {"depth", region.depth ? Json(*region.depth) : Json()},
+          {"depth", region.depth ? Json(region.depth->lower) : Json()},
+          {"depth_upper", region.depth ? Json(region.depth->upper) : Json()},
           {"deepest", json_of(region.deepest)}};
 }
 
@@ -128,13 +133,14 @@ Json json_of(const std::vector<ContactRegion>& regions) {
 }
 
 std::string csv_penetration_head(bool told) {
-  return told ? ",depth_lower,depth_upper,direction_x,direction_y,direction_z\n" : "\n";
+  return told ? ",depth_lower,depth_upper,direction_x,direction_y,direction_z,depth_ended\n" : "\n";
 }
 
-std::string csv_of(const std::optional<Penetration>& penetration) {
-  if (!penetration) return ",,,,,";
+std::string csv_of(const std::optional<Penetration>& penetration, DepthEnd end) {
+  if (!penetration) return ",,,,,,";
   const Vec3& direction = penetration->direction;
-  return fmt::format(",{},{},{},{},{}", penetration->lower, penetration->upper, direction.x, direction.y, direction.z);
+  return fmt::format(",{},{},{},{},{},{}", penetration->lower, penetration->upper, direction.x, direction.y,
+                     direction.z, end == DepthEnd::precise ? "" : name_of(end));
 }
 
 void add(Json& line, const Distance& d) {

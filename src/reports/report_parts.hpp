@@ -31,7 +31,8 @@ namespace toccata::io {
 
 /// How narrow a depth was asked for.
 void add_depth_options(Json& json, const DepthOptions& depth);
-/// Of a question that says nothing of it as it was before one could: 2 %.
+/// Of a question that says nothing of it as it was before one could: 2 %. Throws where it says so, and asks for no
+/// depths.
 [[nodiscard]] DepthOptions depth_options_of(const JsonValue& question);
 [[nodiscard]] Json json_of(const Manifold& manifold);
 [[nodiscard]] Json json_of(const std::vector<ContactManifold>& manifolds);
@@ -41,7 +42,7 @@ void add_depth_options(Json& json, const DepthOptions& depth);
 /// The end of a line of comma-separated values that may tell of a penetration, with a comma in front: its names, with a
 /// line end, and its values, empty for a pair that has none.
 [[nodiscard]] std::string csv_penetration_head(bool told);
-[[nodiscard]] std::string csv_of(const std::optional<Penetration>& penetration);
+[[nodiscard]] std::string csv_of(const std::optional<Penetration>& penetration, DepthEnd end);
 
 /// Adds what a distance says to an object, and to a line of comma-separated values, under names that begin with a
 /// comma.

@@ -1,6 +1,14 @@
 #include "toccata/reports/report.hpp"
 
 namespace toccata {
+namespace {
+
+int gravity_of(RelationKind kind) {
+  if (kind == RelationKind::apart) return 0;
+  return kind == RelationKind::touching ? 1 : 2;
+}
+
+}  // namespace
 
 std::string name_of(RelationKind kind) {
   switch (kind) {
@@ -100,6 +108,37 @@ std::string remark_on(const Relation& relation) {
   if (relation.a_solid && relation.b_solid) return "(both solids)";
   if (!relation.a_solid && !relation.b_solid) return "(both surfaces)";
   return relation.a_solid ? "(a solid, a surface)" : "(a surface, a solid)";
+}
+
+Since since_baseline(const ReportedPair& pair) {
+  if (!pair.was) return Since::added;
+  return gravity_of(pair.relation.kind) > gravity_of(pair.was->kind) ? Since::graver : Since::known;
+}
+
+std::string name_of(Since since) {
+  switch (since) {
+    case Since::added:
+      return "new";
+    case Since::known:
+      return "known";
+    case Since::graver:
+      return "graver";
+  }
+  return {};
+}
+
+std::string name_of(GoneReason reason) {
+  switch (reason) {
+    case GoneReason::apart:
+      return "apart";
+    case GoneReason::touching:
+      return "touching";
+    case GoneReason::left_out:
+      return "left_out";
+    case GoneReason::no_object:
+      return "no_object";
+  }
+  return {};
 }
 
 }  // namespace toccata

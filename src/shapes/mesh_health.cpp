@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
+#include "shapes/point_numbers.hpp"
 #include "shapes/welded_mesh.hpp"
 #include "toccata/shapes/primitives.hpp"
 
@@ -79,6 +81,82 @@ double signed_volume(const TriangleMesh& mesh, const Vec3& lower, const Vec3& up
   return std::ldexp(sum / 6, 3 * exponent);
 }
 
+using Triangles = std::span<const std::array<Index, 3>>;
+
+/// Calls `see(low, high, upward)` for every use of an edge. Triangles with two equal corners have no edges.
+template <class See>
+void each_edge_use(Triangles triangles, const See& see) {
+  for (const auto& [a, b, c] : triangles) {
+    if (a == b || b == c || c == a) continue;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      see(std::min(from, to), std::max(from, to), from < to);
+  }
+}
+
+/// The greater ends of edges by their lesser ones: of vertex v they are [first[v], first[v + 1]).
+struct EdgeEnds {
+  std::vector<Index> upward;
+  std::vector<Index> downward;
+};
+
+/// Where the ends of each vertex begin; nothing where some vertex has not as many of them in one direction as in the
+/// other.
+std::vector<std::size_t> first_ends(Triangles triangles, std::size_t vertex_count) {
+  std::vector<std::array<Index, 2>> counts(vertex_count, {0, 0});
+  each_edge_use(triangles, [&](Index low, Index, bool upward) { ++counts[low][upward ? 0 : 1]; });
+  std::vector<std::size_t> first{0};
+  first.reserve(vertex_count + 1);
+  for (const auto& [up, down] : counts) {
+    if (up != down) return {};
+    first.push_back(first.back() + up);
+  }
+  return first;
+}
+
+EdgeEnds ends_of(Triangles triangles, std::vector<std::size_t> next) {
+  EdgeEnds ends{std::vector<Index>(next.back()), std::vector<Index>(next.back())};
+  std::vector<std::size_t> next_downward = next;
+  each_edge_use(triangles, [&](Index low, Index high, bool upward) {
+    if (upward)
+      ends.upward[next[low]++] = high;
+    else
+      ends.downward[next_downward[low]++] = high;
+  });
+  return ends;
+}
+
+/// Whether every edge between such vertices is used equally in both directions. In time proportional to their number,
+/// but for vertices of very many edges.
+bool all_balanced(Triangles triangles, std::size_t vertex_count) {
+  const std::vector<std::size_t> first = first_ends(triangles, vertex_count);
+  if (first.empty()) return false;
+  EdgeEnds ends = ends_of(triangles, first);
+  const auto run = [&](std::vector<Index>& all, std::size_t vertex) {
+    const auto own = std::span(all).subspan(first[vertex], first[vertex + 1] - first[vertex]);
+    std::sort(own.begin(), own.end());
+    return own;
+  };
+  for (std::size_t vertex = 0; vertex < vertex_count; ++vertex) {
+    const auto up = run(ends.upward, vertex), down = run(ends.downward, vertex);
+    if (!std::equal(up.begin(), up.end(), down.begin())) return false;
+  }
+  return true;
+}
+
+/// The triangles with each vertex replaced by the first of those that have its coordinates.
+std::vector<std::array<Index, 3>> with_first_vertices(const TriangleMesh& mesh) {
+  const auto vertices = mesh.vertices();
+  const auto equal = [](const Vec3& a, const Vec3& b) { return a == b; };
+  PointNumbers numbers(vertices.size());
+  std::vector<Index> first(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    first[v] = numbers.find_or_take(vertices[v], static_cast<Index>(v), vertices, equal);
+  std::vector<std::array<Index, 3>> triangles;
+  triangles.reserve(mesh.triangles().size());
+  for (const auto& [a, b, c] : mesh.triangles()) triangles.push_back({first[a], first[b], first[c]});
+  return triangles;
+}
+
 }  // namespace
 
 MeshHealth inspect(const TriangleMesh& mesh) {
@@ -99,8 +177,10 @@ MeshHealth inspect(const TriangleMesh& mesh) {
 }
 
 bool is_closed(const TriangleMesh& mesh) {
-  const std::vector<EdgeUse> edges = edge_uses(weld(mesh));
-  return std::all_of(edges.begin(), edges.end(), balanced);
+  // Edges that are balanced as they are stay so when equal vertices become one: that adds uses up, and the edges of a
+  // triangle of which two corners become one go there and back again.
+  const std::size_t vertex_count = mesh.vertices().size();
+  return all_balanced(mesh.triangles(), vertex_count) || all_balanced(with_first_vertices(mesh), vertex_count);
 }
 
 }  // namespace toccata

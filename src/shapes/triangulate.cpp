@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shapes/ear_clipping.hpp"
+#include "shapes/triangulated.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
@@ -93,7 +94,14 @@ std::vector<CornerTriangle> cut(const std::vector<Vec3>& corners) {
 
 }  // namespace
 
-TriangleMesh triangulate(const PolygonMesh& polygons) {
+namespace {
+
+struct FaceTriangles {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> face_of_triangle;
+};
+
+FaceTriangles triangles_of(const PolygonMesh& polygons) {
   check_finite(polygons);
   check_structure(polygons);
   const std::size_t face_count = polygons.first.size() - 1;
@@ -115,7 +123,19 @@ TriangleMesh triangulate(const PolygonMesh& polygons) {
     }
     if (triangle_count != face_count) face_of_triangle.resize(triangles.size(), static_cast<Index>(f));
   }
-  return {polygons.vertices, std::move(triangles), std::move(face_of_triangle)};
+  return {std::move(triangles), std::move(face_of_triangle)};
+}
+
+}  // namespace
+
+TriangleMesh triangulate(const PolygonMesh& polygons) {
+  auto [triangles, faces] = triangles_of(polygons);
+  return {polygons.vertices, std::move(triangles), std::move(faces)};
+}
+
+TriangleMesh triangulated(PolygonMesh polygons) {
+  auto [triangles, faces] = triangles_of(polygons);
+  return {std::move(polygons.vertices), std::move(triangles), std::move(faces)};
 }
 
 }  // namespace toccata

@@ -41,9 +41,6 @@ class SeenBlocks {
   std::array<SeenBlock, 1U << log2_count> blocks_;
 };
 
-/// A box is told from a single triangle by more than the triangle's box where it is no more than this part of that.
-constexpr double part_of_triangle = 0.25;
-
 /// A triangle of the other tree, and boxes of the own one that are small beside it.
 class BesideTriangle {
  public:
@@ -52,7 +49,7 @@ class BesideTriangle {
              double other_size, BlockBounds& bounds) {
     for (std::size_t lane = 0; lane < own.count; ++lane) {
       const double size = (double{own.extent[0][lane]} + own.extent[1][lane]) + own.extent[2][lane];
-      if (own.is_item(lane) || !(size < part_of_triangle * other_size)) continue;
+      if (own.is_item(lane) || !(size < small_beside_item * other_size)) continue;
       see_triangle(view, tree, static_cast<std::uint32_t>(~other_child));
       bounds[lane] = std::max(bounds[lane], (prism_.gap(own, lane) - view.pad) * view.scale);
     }

@@ -7,6 +7,10 @@
 
 namespace toccata {
 
+/// A box is told from a single item by more than the item's box where it is no more than this part of that: it costs as
+/// much as some ten steps of a walk.
+inline constexpr float small_beside_item = 0.25F;
+
 /// The normal of a triangle, and the normals of its sides in its plane: of length 1 but for rounding, or zero. What
 /// they do not tell from the triangle is a prism that stands on it. Boxes that are small beside a triangle are told
 /// from it so much better than from its box.

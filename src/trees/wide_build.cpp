@@ -7,6 +7,7 @@
 #include "toccata/core/parallel.hpp"
 #include "toccata/trees/wide_bvh.hpp"
 #include "trees/binary_build.hpp"
+#include "trees/box_runs.hpp"
 #include "trees/chunks.hpp"
 #include "trees/wide_cells.hpp"
 
@@ -21,12 +22,12 @@ constexpr std::size_t most_items_without_cells = 32768;
 // Fewer cells than this tell too little of where their items are.
 constexpr std::uint32_t fewest_cells_to_split = 64;
 
-Aabb box_around(std::span<const Aabb> boxes, int threads) {
+Aabb box_around(const BoxRuns& boxes, int threads) {
   const Chunks chunks{boxes.size(), items_per_task};
   std::vector<Aabb> around(chunks.size());
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     Aabb part;
-    for (const Aabb& box : chunks.of(boxes, chunk)) part = merge(part, box);
+    boxes.each(chunks, chunk, [&](std::size_t, const Aabb& box) { part = merge(part, box); });
     around[chunk] = part;
   });
   Aabb all;
@@ -48,10 +49,12 @@ void set_order(std::span<Index> order, std::span<const FloatItem> items) {
   std::transform(items.begin(), items.end(), order.begin(), [](const FloatItem& item) { return item.number(); });
 }
 
-void build_at_once(WideBvh& tree, const WideFrame& frame, std::span<const Aabb> boxes) {
+void build_at_once(WideBvh& tree, const WideFrame& frame, const BoxRuns& boxes) {
   std::vector<FloatItem> items;
   items.reserve(boxes.size());
-  for (const Aabb& box : boxes) items.push_back(item_in(frame, box, static_cast<std::uint32_t>(items.size())));
+  boxes.each(0, boxes.size(), [&](std::size_t number, const Aabb& box) {
+    items.push_back(item_in(frame, box, static_cast<std::uint32_t>(number)));
+  });
   tree.blocks = blocks_over(items);
   set_order(tree.items, items);
 }
@@ -103,8 +106,8 @@ void append(std::vector<WideBlock>& all, const Subtree& subtree) {
   }
 }
 
-/// Puts the subtrees below the blocks over the cells.
-void join(WideBvh& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree> subtrees) {
+/// Puts the subtrees below the blocks over the cells. Each gives its blocks up, so that they are there but once.
+void join(WideBvh& tree, std::vector<BinaryNode>& nodes, std::span<Subtree> subtrees) {
   for (const Subtree& subtree : subtrees) nodes[subtree.node].count = BinaryNode::made_elsewhere;
   set_costs(nodes);
   const auto plans = nodes.size() > 1 ? plan_blocks(nodes) : std::vector<BlockPlan>{};
@@ -116,11 +119,14 @@ void join(WideBvh& tree, std::vector<BinaryNode>& nodes, std::span<const Subtree
   tree.blocks.reserve(block_count);
   tree.blocks.resize(plans.size());
   fill_blocks(tree.blocks, plans, nodes, {});
-  for (const Subtree& subtree : subtrees) append(tree.blocks, subtree);
+  for (Subtree& subtree : subtrees) {
+    append(tree.blocks, subtree);
+    subtree.blocks = {};
+  }
 }
 
 /// The first levels are found from the cells of a grid, and the subtrees below them each on one thread.
-void build_by_cells(WideBvh& tree, const WideFrame& frame, std::span<const Aabb> boxes, int threads) {
+void build_by_cells(WideBvh& tree, const WideFrame& frame, const BoxRuns& boxes, int threads) {
   CellGrid grid = sort_into_cells(boxes, tree.box, frame, threads);
   auto nodes = build_binary(std::span(grid.cells), [](const Part& part) {
     return part.items <= most_items_of_a_subtree || part.count < fewest_cells_to_split;
@@ -133,13 +139,13 @@ void build_by_cells(WideBvh& tree, const WideFrame& frame, std::span<const Aabb>
 
 }  // namespace
 
-WideBvh build_wide_bvh(std::span<const Aabb> boxes, const WideBuildOptions& options) {
+WideBvh build_wide_bvh(const BoxRuns& boxes, const WideBuildOptions& options) {
   const std::size_t most = std::min(options.most_items, WideBuildOptions::greatest_item_count);
   if (boxes.size() > most)
     throw Error("a tree over " + std::to_string(boxes.size()) + " items was asked for, and it holds at most " +
                 std::to_string(most) + ": divide the mesh into parts, each with a tree of its own");
   WideBvh tree;
-  if (boxes.empty()) return tree;
+  if (boxes.size() == 0) return tree;
   tree.box = box_around(boxes, options.threads);
   const WideFrame frame = frame_around(tree.box);
   tree.origin = frame.origin;
@@ -151,6 +157,20 @@ WideBvh build_wide_bvh(std::span<const Aabb> boxes, const WideBuildOptions& opti
     build_by_cells(tree, frame, boxes, options.threads);
   }
   return tree;
+}
+
+WideBvh build_wide_bvh(std::span<const Aabb> boxes, const WideBuildOptions& options) {
+  const auto tell = [boxes](std::size_t first, std::span<Aabb> run) {
+    std::copy_n(boxes.begin() + static_cast<std::ptrdiff_t>(first), run.size(), run.begin());
+  };
+  return build_wide_bvh(BoxRuns(boxes.size(), tell), options);
+}
+
+WideBvh build_wide_bvh(const TriangleMesh& mesh, const WideBuildOptions& options) {
+  const auto tell = [&](std::size_t first, std::span<Aabb> run) {
+    for (std::size_t i = 0; i < run.size(); ++i) run[i] = triangle_box(mesh, first + i);
+  };
+  return build_wide_bvh(BoxRuns(mesh.triangle_count(), tell), options);
 }
 
 }  // namespace toccata

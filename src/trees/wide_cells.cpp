@@ -89,23 +89,23 @@ std::vector<Cell> cells_that_hold_items(std::span<const std::uint32_t> starts) {
 
 }  // namespace
 
-CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const WideFrame& frame, int threads) {
+CellGrid sort_into_cells(const BoxRuns& boxes, const Aabb& around, const WideFrame& frame, int threads) {
   const CellSorter grid(frame, around, boxes.size());
   // The chunks' numbers of items in cells take no more space than a part of the items'.
   const Chunks chunks{boxes.size(), std::max(fewest_items_per_task, grid.cell_count())};
   std::vector<std::vector<std::uint32_t>> places(chunks.size());
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
     places[chunk].assign(grid.cell_count(), 0);
-    for (const Aabb& box : chunks.of(boxes, chunk)) ++places[chunk][grid.of(box)];
+    boxes.each(chunks, chunk, [&](std::size_t, const Aabb& box) { ++places[chunk][grid.of(box)]; });
   });
   CellGrid result;
   result.cells = cells_that_hold_items(place_chunks(places, grid.cell_count()));
   // Not set to anything first, so that the memory is first touched in parallel.
   result.items = std::make_unique_for_overwrite<FloatItem[]>(boxes.size());
   parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-    auto number = static_cast<std::uint32_t>(chunks.first(chunk));
-    for (const Aabb& box : chunks.of(boxes, chunk))
-      result.items[places[chunk][grid.of(box)]++] = item_in(frame, box, number++);
+    boxes.each(chunks, chunk, [&](std::size_t number, const Aabb& box) {
+      result.items[places[chunk][grid.of(box)]++] = item_in(frame, box, static_cast<std::uint32_t>(number));
+    });
   });
   const Chunks cell_chunks{result.cells.size(), cells_per_task};
   parallel_for(cell_chunks.size(), threads, [&](std::size_t chunk) {

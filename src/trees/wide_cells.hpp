@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "trees/box_runs.hpp"
 #include "trees/wide_frame.hpp"
 
 namespace toccata {
@@ -18,7 +19,6 @@ struct CellGrid {
 
 /// The items that boxes tell, sorted by the cells that their centres are in: cubes, so many that most of them hold a
 /// few dozen items of a surface. `around` is the box around all.
-[[nodiscard]] CellGrid sort_into_cells(std::span<const Aabb> boxes, const Aabb& around, const WideFrame& frame,
-                                       int threads);
+[[nodiscard]] CellGrid sort_into_cells(const BoxRuns& boxes, const Aabb& around, const WideFrame& frame, int threads);
 
 }  // namespace toccata

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "math/constants.hpp"
+#include "toccata/core/function_ref.hpp"
+#include "trees/box_runs.hpp"
 #include "trees/wide_frame.hpp"
 
 namespace toccata {
@@ -53,15 +55,17 @@ struct Below {
 
 class WideChecker {
  public:
-  WideChecker(const WideBvh& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {}
+  /// Refers to all of them.
+  WideChecker(const WideBvh& tree, std::size_t item_count, FunctionRef<Aabb(std::size_t item)> box)
+      : tree_(tree), item_count_(item_count), box_(box) {}
 
   std::string fault() {
-    if (tree_.items.size() != boxes_.size())
-      return fmt::format("it has {} items, and there are {}", tree_.items.size(), boxes_.size());
-    if (boxes_.empty()) return tree_.blocks.empty() ? "" : "it has blocks for no items";
+    if (tree_.items.size() != item_count_)
+      return fmt::format("it has {} items, and there are {}", tree_.items.size(), item_count_);
+    if (item_count_ == 0) return tree_.blocks.empty() ? "" : "it has blocks for no items";
     // A block without a block below has an item of its own, and all others but the last before an item have two.
-    if (tree_.blocks.empty() || tree_.blocks.size() > 2 * boxes_.size())
-      return fmt::format("{} blocks are not as many as {} items need", tree_.blocks.size(), boxes_.size());
+    if (tree_.blocks.empty() || tree_.blocks.size() > 2 * item_count_)
+      return fmt::format("{} blocks are not as many as {} items need", tree_.blocks.size(), item_count_);
     if (!frame_is_right()) return "its frame is not that of the items' box";
     if (!items_are_each_there_once()) return "its items are not each there once";
     if (!(tree_.built_size == -1 || (tree_.built_size >= 0 && std::isfinite(tree_.built_size))))
@@ -72,7 +76,7 @@ class WideChecker {
  private:
   bool frame_is_right() {
     Aabb around;
-    for (const Aabb& box : boxes_) around = merge(around, box);
+    for (std::size_t item = 0; item < item_count_; ++item) around = merge(around, box_(item));
     frame_ = frame_around(around);
     reach_ = (frame_.unit < 0x1p1023 ? 1 : 2) * (1 + 0x1p-16);
     // Powers of two that lose nothing: a small one would take numbers below the least double.
@@ -82,7 +86,7 @@ class WideChecker {
   }
 
   bool items_are_each_there_once() const {
-    std::vector<bool> seen(boxes_.size(), false);
+    std::vector<bool> seen(item_count_, false);
     for (const Index item : tree_.items) {
       if (item >= seen.size() || seen[item]) return false;
       seen[item] = true;
@@ -101,7 +105,7 @@ class WideChecker {
     }
     if (std::find(has_parent_.begin() + 1, has_parent_.end(), false) != has_parent_.end())
       return "a block is not below the first";
-    return below_[0].items == boxes_.size() ? "" : "not all items are below the first block";
+    return below_[0].items == item_count_ ? "" : "not all items are below the first block";
   }
 
   /// Finds what is below a block. False where a lane is wrong.
@@ -131,7 +135,7 @@ class WideChecker {
   /// Takes note that a child block has a parent.
   bool has_valid_child(std::size_t number, std::size_t lane) {
     const WideBlock& block = tree_.blocks[number];
-    if (block.is_item(lane)) return static_cast<std::size_t>(~block.child[lane]) < boxes_.size();
+    if (block.is_item(lane)) return static_cast<std::size_t>(~block.child[lane]) < item_count_;
     const auto child = static_cast<std::size_t>(block.child[lane]);
     if (child <= number || child >= tree_.blocks.size() || has_parent_[child]) return false;
     has_parent_[child] = true;
@@ -141,7 +145,7 @@ class WideChecker {
   Below below_lane(const WideBlock& block, std::size_t lane) const {
     if (!block.is_item(lane)) return below_[static_cast<std::size_t>(block.child[lane])];
     const auto place = static_cast<std::size_t>(~block.child[lane]);
-    const Aabb& box = boxes_[tree_.items[place]];
+    const Aabb box = box_(tree_.items[place]);
     Below item;
     for (int axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<std::size_t>(axis);
@@ -166,7 +170,8 @@ class WideChecker {
   }
 
   const WideBvh& tree_;
-  std::span<const Aabb> boxes_;
+  std::size_t item_count_;
+  FunctionRef<Aabb(std::size_t item)> box_;
   WideFrame frame_;
   double reach_ = 1;
   double own_factor_ = 1;
@@ -177,6 +182,12 @@ class WideChecker {
 
 }  // namespace
 
-std::string fault_of(const WideBvh& tree, std::span<const Aabb> boxes) { return WideChecker(tree, boxes).fault(); }
+std::string fault_of(const WideBvh& tree, std::span<const Aabb> boxes) {
+  return WideChecker(tree, boxes.size(), [boxes](std::size_t item) { return boxes[item]; }).fault();
+}
+
+std::string fault_of(const WideBvh& tree, const TriangleMesh& mesh) {
+  return WideChecker(tree, mesh.triangle_count(), [&](std::size_t item) { return triangle_box(mesh, item); }).fault();
+}
 
 }  // namespace toccata

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/prefetch.hpp"
+#include "trees/prism_directions.hpp"
 #include "trees/slanted_lanes.hpp"
 
 #ifndef TOCCATA_WIDE_WALK_TABLE
@@ -155,14 +156,10 @@ HWY_INLINE void look(const WalkEntry& entry, SeenBox& seen) {
   seen.size = hn::GetLane(hn::Mul(size, hn::Set(Floats(), axes.other_is_larger_by)));
 }
 
-/// A box is compared with the region of a single item where it is no more than this part of the item's own: the region
-/// costs as much as some ten steps.
-constexpr float small_part = 0.25F;
-
 struct Compared {
   unsigned apart;   ///< lanes that do not meet the box
   unsigned larger;  ///< lanes that are at least as large as it
-  unsigned small;   ///< lanes that are many times smaller
+  unsigned small;   ///< lanes that are small beside it, so that the region of an item tells more
   unsigned items;   ///< lanes that are single items
 };
 
@@ -191,7 +188,7 @@ HWY_INLINE Compared compare(const WalkEntry& entry, const SeenBox& box) {
     result.items |= bits_of(Floats(), hn::RebindMask(Floats(), hn::Lt(children, hn::Zero(whole)))) << first;
     const auto size = hn::Add(hn::Add(l.ex, l.ey), l.ez);
     result.larger |= bits_of(Floats(), hn::Ge(size, hn::Set(Floats(), box.size))) << first;
-    result.small |= bits_of(Floats(), hn::Lt(size, hn::Set(Floats(), small_part * box.size))) << first;
+    result.small |= bits_of(Floats(), hn::Lt(size, hn::Set(Floats(), small_beside_item * box.size))) << first;
   }
   return result;
 }

@@ -154,15 +154,67 @@ TEST_F(CheckClearanceCommand, RefusesWhatContradictsItself) {
     EXPECT_TRUE(run.out.empty()) << run.out;
     return run.err;
   };
-  for (const std::string option : {"--clearance=1mm", "--clearance=0", "--clearance-of=table,wall=1"}) {
-    const std::string ignored = error_of({option, "--touching", "ignore"});
-    EXPECT_NE(ignored.find("--touching ignore"), std::string::npos) << ignored;
-  }
-  EXPECT_EQ(run_command({"check", file, "--clearance=1mm", "--touching=count"}).exit_code, 0);
   const std::string twice = error_of({"--clearance-of", "table,wall=1", "--clearance-of", "wall,table=2"});
   EXPECT_NE(twice.find("\"table\""), std::string::npos) << twice;
   EXPECT_NE(twice.find("\"wall\""), std::string::npos) << twice;
   EXPECT_EQ(pairs_told({"--clearance-of", "table,wall=50", "--clearance-of", "wall,table=5cm"}), 1U);
+}
+
+TEST_F(CheckClearanceCommand, OfWhatMerelyTouchesIsLeftOutWhereTouchingIsIgnored) {
+  const std::string bolted = folder
+                                 .write("bolted.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+  {"name": "plate", "shape": {"type": "box", "half_extents": [1, 1, 1]}},
+  {"name": "head", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": {"translation": [0, 0, 2]}},
+  {"name": "near", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": {"translation": [2.25, 0, 0]}},
+  {"name": "nearly", "shape": {"type": "box", "half_extents": [1, 1, 1]},
+   "pose": {"translation": [0, 0, -2.00000000001]}},
+  {"name": "deep", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": {"translation": [0, 0, 3]}}]})")
+                                 .string();
+  const auto told = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"check", bolted, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Json report = Json::parse(run_command(words).out);
+    std::string text = std::to_string(report["ignored_touching"].get<int>());
+    for (const Json& pair : report["pairs"])
+      text += " " + pair["a"].get<std::string>() + "-" + pair["b"].get<std::string>();
+    return text;
+  };
+  EXPECT_EQ(told({"--clearance", "0"}), "0 plate-head head-deep");
+  EXPECT_EQ(told({"--clearance", "0", "--touching", "ignore"}), "1 head-deep");
+  EXPECT_EQ(told({"--clearance", "0.25", "--touching", "ignore"}), "1 plate-near plate-nearly head-near head-deep");
+  EXPECT_EQ(told({"--clearance-of", "plate,head=1", "--touching", "ignore"}), "1 head-deep");
+  const std::string table = run_command({"check", bolted, "--clearance=0.1", "--touching=ignore"}).out;
+  EXPECT_NE(table.find("1 pair merely touching, ignored as asked.\n"), std::string::npos) << table;
+}
+
+TEST_F(CheckClearanceCommand, WithoutAUnitIsInThatOfTheFiles) {
+  // A box from -0.5 to 0.5, and one that begins 4 beside it, in the unit of the file.
+  const std::string far = folder.write("far.obj", "v 4.5 0 0\nv 5 1 0\nv 5 0 1\nf 1 2 3\n").string();
+  const auto told = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all{"check", "gen:box", far};
+    all.insert(all.end(), options.begin(), options.end());
+    return run_command(all);
+  };
+  EXPECT_EQ(told({"--clearance", "4"}).exit_code, 1);
+  EXPECT_EQ(told({"--clearance", "3.9"}).exit_code, 0);
+  for (const std::string unit : {"mm", "in", "0.25"}) {
+    EXPECT_EQ(told({"--unit", unit, "--clearance", "4.001"}).exit_code, 1) << unit;
+    EXPECT_EQ(told({"--unit", unit, "--clearance", "3.9"}).exit_code, 0) << unit;
+    EXPECT_EQ(told({"--unit", unit, "--clearance-of", "box,far=3.9"}).exit_code, 0) << unit;
+  }
+  EXPECT_EQ(told({"--unit", "mm", "--clearance", "1cm"}).exit_code, 1);
+  EXPECT_EQ(Json::parse(told({"--unit", "mm", "--clearance", "5", "--json"}).out)["clearance"], 0.005);
+  const auto line = [&](const std::vector<std::string>& options) {
+    const std::string out = told(options).out;
+    const std::size_t start = out.find("Clearance");
+    return start == std::string::npos ? out : out.substr(start, out.find('\n', start) - start);
+  };
+  EXPECT_EQ(line({"--unit", "mm", "--clearance", "5"}), "Clearance 5 mm.");
+  EXPECT_EQ(line({"--unit", "m", "--clearance", "5"}), "Clearance 5 m.");
+  EXPECT_EQ(line({"--clearance", "5"}), "Clearance 5.");
+  EXPECT_EQ(line({"--clearance", "all"}), "Clearance all.");
+  EXPECT_EQ(line({"--unit", "m", "--clearance", "1", "--clearance-of", "far,box=5cm"}),
+            "Clearance 1 m; 50 mm between box and far.");
 }
 
 TEST_F(CheckClearanceCommand, RefusesALengthWithinAGroup) {

@@ -56,6 +56,58 @@ TEST(CheckDepth, WhatIsNoNumberAboveZeroIsToldAndLeftOut) {
   }
 }
 
+TEST(CheckDepth, AtManyPosesTheEndIsToldToo) {
+  const test::TemporaryFolder folder;
+  folder.write("poses.txt", "1 0 0 0 1 0 0 0 1 0.7 0.1 0\n1 0 0 0 1 0 0 0 1 9 0 0\n");
+  const auto asked = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"check",
+                                   "gen:torus-knot?around=40&sides=6",
+                                   "gen:torus-knot?around=40&sides=6",
+                                   "--penetration",
+                                   "--poses",
+                                   "poses.txt",
+                                   "--time-limit",
+                                   "1e-9"};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::run_command(words, folder.path()).out;
+  };
+  const std::string table = asked({}), csv = asked({"--csv"});
+  EXPECT_NE(table.find(", when the time was over"), std::string::npos) << table;
+  EXPECT_NE(csv.find(",direction_z,depth_ended\n0,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",out of time\n1,apart,"), std::string::npos) << csv;
+  EXPECT_EQ(csv.substr(csv.size() - 2), ",\n") << csv;
+}
+
+// The answer, which here cannot be written, comes after.
+TEST(CheckDepth, AWrongPrecisionIsToldBeforeTheWork) {
+  const auto run = test::run_command(depth_of_knots({"--precision", "much", "--save-case", "no-folder/case.json"}));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--precision much is not a finite number above 0"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("no-folder"), std::string::npos) << run.err;
+  const auto whole = test::run_command(depth_of_knots({"--precision", "much"}));
+  EXPECT_EQ(whole.err.find("--precision much"), whole.err.rfind("--precision much")) << whole.err;
+}
+
+TEST(CheckDepth, AnotherPrecisionThanThatOfACaseAsksAnotherQuestion) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(test::run_command(depth_of_knots({"--save-case", "case.json"}), folder.path()).exit_code, 1);
+  const auto run = test::run_command({"check", "case.json", "--penetration", "--precision", "2"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(run.err.find("as --penetration --precision asks another"), std::string::npos) << run.err;
+}
+
+TEST(CheckDepth, ACaseWithAPrecisionOfNoDepthIsRefused) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(test::run_command(depth_of_knots({"--save-case", "case.json"}), folder.path()).exit_code, 1);
+  DepthJson kept = DepthJson::parse(test::text_of(folder / "case.json"));
+  kept["query"]["penetration"] = false;
+  folder.write("case.json", kept.dump());
+  const auto run = test::run_command({"replay", "case.json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("/query/precision: this is about depths, which are not asked for"), std::string::npos)
+      << run.err;
+}
+
 TEST(CheckDepth, ACaseWithAPrecisionThatIsNoneIsRefused) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(test::run_command(depth_of_knots({"--save-case", "case.json"}), folder.path()).exit_code, 1);

@@ -152,6 +152,13 @@ def reports(folder):
     assert solids["pairs"] and all(p["penetration"] and p["regions"] for p in solids["pairs"]), solids
     yield solids
     yield check("shapes.json", "--clearance", "1cm", "--clearance-of", "ball,ground=3", "--faces")
+    (folder / "rules.txt").write_text("balls = ball, b*l\nbetween balls, *\nignore needle\n")
+    (folder / "old.json").write_text(json.dumps(check("shapes.json")))
+    compared = check("shapes.json", "--rules", "rules.txt", "--baseline", "old.json", "--sort", "severity", "--clearance", "all")
+    assert compared["left_out"] > 0 and compared["baseline"]["gone"] and compared["baseline"]["known"], compared
+    yield compared
+    (folder / "old.json").write_text(json.dumps(check("shapes.json", "--touching", "ignore", "--clearance", "all")))
+    yield check("shapes.json", "--baseline", "old.json")
     yield check("round.json", "--penetration", "--faces")
     yield check("round.json", "--clearance", "all")
     yield check("shapes.json", "--clearance", "all")

@@ -111,7 +111,9 @@ TEST_F(LocateCommand, WhatIsNoSolidIsRefusedWithWhereAndHowMuch) {
 TEST_F(LocateCommand, ATreeThatGrowsTooMuchIsGivenUpAndTheMeshAnswersStill) {
   expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "1.2"}, "more than 1.2 times as many");
   expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "1.2"}, "--by mesh answers about this mesh");
-  expect_trouble({"gen:torus-knot", "--by", "msp", "--max-growth", "nan"}, "max_growth");
+  expect_trouble({"gen:torus-knot", "--by", "msp", "--max-growth", "nan"}, "--max-growth nan: ");
+  expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "0"}, "it has to be 1 or more");
+  expect_trouble({"gen:torus-knot", "--point", "9", "0", "0", "--max-growth", "2"}, "say --by bsp or --by msp");
   EXPECT_EQ(report({"gen:torus-knot", "--point", "9", "0", "0"})["points"][0]["side"], "outside");
 }
 
@@ -121,6 +123,16 @@ TEST_F(LocateCommand, APosedMeshIsAskedInTheWorldByItsOwnTree) {
   EXPECT_EQ(report({"posed.json", "--point", "10.1", "0.1", "0.1"})["points"][0]["side"], "inside");
   EXPECT_EQ(report({"posed.json", "--point", "10.5", "0", "0"})["points"][0]["side"], "boundary");
   expect_trouble({"posed.json", "--by", "bsp"}, "--by mesh answers about this mesh");
+}
+
+TEST_F(LocateCommand, APosedOpenMeshIsRefusedForBeingOpen) {
+  folder_.write("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+  folder_.write("posed.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "open", "file": "open.off", "pose": {"translation": [10, 0, 0]}}]})");
+  for (const char* by : {"bsp", "msp"}) {
+    expect_trouble({"posed.json", "--by", by}, "open: 3 edges are used unequally often");
+    expect_trouble({"posed.json", "--by", by}, " inspect FILE --faults` ");
+  }
 }
 
 TEST_F(LocateCommand, WhatIsMissingOrWrongIsSaid) {

@@ -255,7 +255,7 @@ TEST_F(TwoShapes, PenetrationAtManyPoses) {
   EXPECT_LE(json["queries"][1]["penetration"]["lower"], 0.5);
   EXPECT_GE(json["queries"][1]["penetration"]["upper"], 0.5);
   const auto csv = run({"check", "ball.json", "crate.json", "--poses", "poses.txt", "--penetration", "--csv"});
-  EXPECT_NE(csv.out.find(",contact,depth_lower,depth_upper,direction_x,direction_y,direction_z\n0,apart"),
+  EXPECT_NE(csv.out.find(",contact,depth_lower,depth_upper,direction_x,direction_y,direction_z,depth_ended\n0,apart"),
             std::string::npos)
       << csv.out;
 }
@@ -282,7 +282,7 @@ TEST_F(ShapeCommands, CheckTellsHowDeepAndWhere) {
   EXPECT_TRUE(report["pairs"][0]["penetration"].is_null());
   EXPECT_FALSE(report["pairs"][0]["manifold"].is_null());
   const auto csv = run_command({"check", file, "--penetration", "--csv"});
-  EXPECT_NE(csv.out.find("\ncrate,needle,crossing,none,false,exact,,,,,\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("\ncrate,needle,crossing,none,false,exact,,,,,,\n"), std::string::npos) << csv.out;
   EXPECT_EQ(run_command({"check", file, "--penetration", "--self"}).exit_code, 2);
 }
 

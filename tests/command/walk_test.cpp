@@ -73,6 +73,14 @@ TEST_F(WalkCommand, MotionsAreTakenOneByOne) {
   EXPECT_NE(lines[4].find(",step,"), std::string::npos) << walked.out;
 }
 
+TEST_F(WalkCommand, TheSkinIsNoWiderThanTheWalker) {
+  for (const char* skin : {"0", "0.41", "1e9"}) {
+    const auto refused = run({"--from", "0", "0", "0", "--to", "1", "0", "0", "--skin", skin});
+    EXPECT_EQ(refused.exit_code, 2) << skin;
+    EXPECT_NE(refused.err.find("no more than its radius, 0.4"), std::string::npos) << refused.err;
+  }
+}
+
 TEST_F(WalkCommand, WhoLeavesTheLevelFalls) {
   const auto walked = run({"--from", "-8", "0", "0", "--to", "-20", "0", "0"});
   EXPECT_EQ(walked.exit_code, 1) << walked.err;
@@ -157,7 +165,8 @@ TEST_F(WalkCommand, ErrorsSayWhatToDo) {
     std::vector<std::string> words{"--from", "0", "0", "0", "--motion", "bad.txt"};
     words.insert(words.end(), of_a_place.begin(), of_a_place.end());
     const std::string error = error_of(words);
-    EXPECT_NE(error.find(" excludes "), std::string::npos) << error;
+    EXPECT_NE(error.find(of_a_place[0] == "--to" ? " excludes " : " is about a walk --to a point; "), std::string::npos)
+        << error;
     for (const std::string& option : {std::string("--motion"), of_a_place[0]})
       EXPECT_NE(error.find(option), std::string::npos) << error;
   }
@@ -172,7 +181,7 @@ TEST_F(WalkCommand, ErrorsSayWhatToDo) {
   EXPECT_NE(with({"--stride", "0"}).find("stride is 0; it has to be a length above 0"), std::string::npos);
   EXPECT_NE(with({"--stride", "far"}).find("--stride far"), std::string::npos);
   EXPECT_NE(with({"--max-slope", "90"}).find("from 0 to less than 90 degrees"), std::string::npos);
-  EXPECT_NE(with({"--skin", "0"}).find("skin is 0"), std::string::npos);
+  EXPECT_NE(with({"--skin", "0"}).find("skin of the walker is 0"), std::string::npos);
 }
 
 }  // namespace

@@ -385,6 +385,25 @@ TEST(ScaleWarnings, NameTheObjectThatIsOff) {
   EXPECT_EQ(scale_warnings(scene).size(), 1U);
 }
 
+TEST(ScaleWarnings, TellWhatIsAbsurdlyLargeOrSmallAllTogether) {
+  Scene scene = gear_train();
+  const auto warning_at = [&](double scale, const std::string& unit) {
+    Scene scaled_scene = scene;
+    scaled_scene.unit = unit;
+    for (SceneObject& object : scaled_scene.objects) object.pose = scaled(Pose{}, scale) * object.pose;
+    const std::vector<std::string> warnings = scale_warnings(scaled_scene);
+    return warnings.empty() ? "" : warnings[0];
+  };
+  EXPECT_EQ(warning_at(1, "m"), "");
+  EXPECT_EQ(warning_at(1, "mm"), "");
+  EXPECT_NE(warning_at(1000, "m").find(" km across"), std::string::npos) << warning_at(1000, "m");
+  EXPECT_EQ(warning_at(1000, "mm"), "");
+  EXPECT_EQ(warning_at(1e6, "unit"), "") << "nobody knows what it is";
+  EXPECT_EQ(warning_at(1e6, "furlong"), "");
+  EXPECT_NE(warning_at(1000, "1 m").find("--unit"), std::string::npos);
+  EXPECT_NE(warning_at(1e-6, "m").find(" mm across"), std::string::npos) << warning_at(1e-6, "m");
+}
+
 TEST(Units, HaveTheirMetres) {
   EXPECT_EQ(metres_per_unit("mm"), 0.001);
   EXPECT_EQ(metres_per_unit("in"), 0.0254);

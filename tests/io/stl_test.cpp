@@ -1,12 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "io/formats/parse.hpp"
 #include "io/text_file.hpp"
+#include "toccata/core/random.hpp"
 
 namespace toccata::io {
 namespace {
@@ -44,13 +48,46 @@ std::string binary(const std::vector<Vec3>& vertices, const std::string& header 
 
 const std::vector<Vec3> two_facets = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {0, 0, 0}, {0, 1, 0.1}, {1, 0, 0}};
 
-TEST(Stl, TextFacetsHaveThreeVerticesEach) {
-  const TriangleMesh mesh = stl("solid part 1\n" + facet + facet + "endsolid part 1\n");
-  ASSERT_EQ(mesh.triangle_count(), 2u);
-  ASSERT_EQ(mesh.vertices().size(), 6u);
-  EXPECT_EQ(mesh.vertices()[5], (Vec3{0, 1, 0.1}));
-  EXPECT_EQ(mesh.triangles()[1], (std::array<Index, 3>{3, 4, 5}));
-  EXPECT_EQ(mesh.face_of(1), 1u);
+TEST(Stl, CornersOfTheSameCoordinatesAreOneVertex) {
+  const std::string other =
+      "facet normal 0 0 1\nouter loop\nvertex 2 0 0\nvertex 0 1 0.1\nvertex 1 0 0\nendloop\nendfacet\n";
+  const TriangleMesh mesh = stl("solid part 1\n" + facet + facet + other + "endsolid part 1\n");
+  ASSERT_EQ(mesh.triangle_count(), 3u);
+  ASSERT_EQ(mesh.vertices().size(), 4u);
+  EXPECT_EQ(mesh.vertices()[2], (Vec3{0, 1, 0.1}));
+  EXPECT_EQ(mesh.vertices()[3], (Vec3{2, 0, 0}));
+  EXPECT_EQ(mesh.triangles()[1], (std::array<Index, 3>{0, 1, 2}));
+  EXPECT_EQ(mesh.triangles()[2], (std::array<Index, 3>{3, 2, 1}));
+  EXPECT_EQ(mesh.face_of(2), 2u);
+}
+
+/// −0 and 0 are equal, but not the same double, and both are kept.
+TEST(Stl, VerticesKeepTheirSigns) {
+  const TriangleMesh mesh = stl(binary({{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, 1, 0}, {1, 0, 0}}));
+  ASSERT_EQ(mesh.vertices().size(), 4u);
+  EXPECT_FALSE(std::signbit(mesh.vertices()[0].x));
+  EXPECT_TRUE(std::signbit(mesh.vertices()[3].x));
+  EXPECT_EQ(mesh.triangles()[1], (std::array<Index, 3>{3, 2, 1}));
+}
+
+/// Every corner is where the file has it, in a mesh so large that the table of vertices grows, of which some come
+/// again.
+TEST(Stl, ManyVerticesAreFoundAgain) {
+  Random random(7);
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 30000; ++i) {
+    const auto place = [&] { return static_cast<double>(static_cast<float>(std::floor(random.between(0, 25)) * 0.1)); };
+    corners.push_back({place(), place(), place()});
+  }
+  const TriangleMesh mesh = stl(binary(corners));
+  std::set<std::array<double, 3>> distinct;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3& vertex = mesh.vertices()[mesh.triangles()[i / 3][i % 3]];
+    ASSERT_EQ(vertex, corners[i]) << i;
+    distinct.insert({vertex.x, vertex.y, vertex.z});
+  }
+  EXPECT_EQ(mesh.vertices().size(), distinct.size());
+  EXPECT_GT(distinct.size(), 10000u);
 }
 
 TEST(Stl, SeveralSolidsAreOneMesh) {
@@ -74,7 +111,7 @@ TEST(Stl, BinaryFloatsAreWidenedExactly) {
   const TriangleMesh mesh = stl(binary(two_facets));
   ASSERT_EQ(mesh.triangle_count(), 2u);
   EXPECT_EQ(mesh.vertices()[2].z, static_cast<double>(0.1f));
-  EXPECT_EQ(mesh.vertices()[5], (Vec3{1, 0, 0}));
+  EXPECT_EQ(mesh.triangles()[1], (std::array<Index, 3>{0, 2, 1}));
 }
 
 TEST(Stl, BinaryMayBeginWithSolid) {

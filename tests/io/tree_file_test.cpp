@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "io/formats/tree_bytes.hpp"
 #include "io/text_file.hpp"
@@ -172,6 +174,98 @@ TEST(TreeFile, BadInputIsToldByName) {
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A scene of two meshes, one of them twice, and of what has no tree.
+Scene scene_to_keep() {
+  Scene scene;
+  for (const auto& mesh : {knot(), shared(generate_mesh("noise-sphere"))}) {
+    SceneObject object;
+    object.shape = mesh;
+    scene.objects.push_back(object);
+  }
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects.emplace_back().shape = Sphere(1);
+  scene.objects.emplace_back().shape = noisy_ball();  // too small to be kept
+  return scene;
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void expect_same_trees(const std::vector<SceneInstance>& models, const Scene& scene) {
+  const std::vector<SceneInstance> built = scene_models(scene);
+  ASSERT_EQ(models.size(), built.size());
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!built[i].model.has_mesh()) continue;
+    EXPECT_EQ(io::tree_bytes(models[i].model.wide_bvh(), models[i].model.mesh()),
+              io::tree_bytes(built[i].model.wide_bvh(), built[i].model.mesh()));
+  }
+}
+
+/// The first run builds and keeps, the second takes and writes nothing.
+TEST(TreeCache, KeepsTreesFromRunToRun) {
+  const TemporaryFolder folder;
+  const Scene scene = scene_to_keep();
+  const std::string place = folder / "new" / "trees";
+  TreeCache first(place);
+  expect_same_trees(first.models(scene), scene);
+  EXPECT_FALSE(std::filesystem::exists(place));
+  first.save();
+  EXPECT_EQ(first.warnings().size(), 0U);
+  const auto files = files_in(place);
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(tree_path(*knot(), place)));
+  EXPECT_EQ(io::tree_bytes(load_model(knot(), tree_path(*knot(), place)).wide_bvh(), *knot()),
+            content_of(tree_path(*knot(), place)));
+
+  for (const auto& file : files) std::filesystem::last_write_time(file, std::filesystem::file_time_type{});
+  TreeCache second(place);
+  expect_same_trees(second.models(scene), scene);
+  second.save();
+  EXPECT_EQ(second.warnings().size(), 0U);
+  for (const auto& file : files)
+    EXPECT_EQ(std::filesystem::last_write_time(file), std::filesystem::file_time_type{}) << "written again";
+}
+
+TEST(TreeCache, WhatIsDamagedIsToldAndBuiltAnew) {
+  const TemporaryFolder folder;
+  const Scene scene = scene_to_keep();
+  const std::filesystem::path path = tree_path(*knot(), folder / ".");
+  const std::string whole = io::tree_bytes(Model(knot()).wide_bvh(), *knot());
+  const auto after = [&](std::size_t byte) {
+    std::string bytes = whole;
+    bytes[byte] = static_cast<char>(bytes[byte] ^ 0x20);
+    return bytes;
+  };
+  // The magic, the version, the digest, a block, cut short, another file, another mesh's tree.
+  for (const std::string& damaged :
+       {after(0), after(8), after(24), after(1000), whole.substr(0, 700), std::string("v 0 0 0"),
+        io::tree_bytes(Model(noisy_ball()).wide_bvh(), *noisy_ball())}) {
+    folder.write(path.filename().string(), damaged);
+    TreeCache cache(folder / ".");
+    expect_same_trees(cache.models(scene), scene);
+    cache.save();
+    ASSERT_EQ(cache.warnings().size(), 1U);
+    EXPECT_NE(cache.warnings()[0].find(path.filename().string()), std::string::npos) << cache.warnings()[0];
+    EXPECT_NE(cache.warnings()[0].find("the tree is built anew"), std::string::npos) << cache.warnings()[0];
+    EXPECT_EQ(content_of(path), whole);
+  }
+}
+
+TEST(TreeCache, AFolderThatCannotBeWrittenIsAWarning) {
+  const TemporaryFolder folder;
+  folder.write("file", "no folder");
+  const Scene scene = scene_to_keep();
+  TreeCache cache(folder / "file" / "trees");
+  expect_same_trees(cache.models(scene), scene);
+  cache.save();
+  ASSERT_EQ(cache.warnings().size(), 1U);
+  EXPECT_EQ(cache.warnings()[0].rfind("trees were not kept: ", 0), 0U) << cache.warnings()[0];
 }
 
 TEST(TreeFile, NothingButATreeIsWrittenOver) {

@@ -5,14 +5,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "narrow/boxes/box_axes.hpp"
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/core_distance.hpp"
+#include "narrow/convex/core_separation.hpp"
 #include "narrow/convex/difference_body.hpp"
 #include "narrow/convex/gjk.hpp"
 #include "narrow/convex/polyhedron_axes.hpp"
+#include "narrow/convex_distance_checks.hpp"
 #include "narrow/exact/exact_support.hpp"
 #include "narrow/half_spaces/half_space_heights.hpp"
 #include "narrow/pose_checks.hpp"
@@ -429,6 +434,145 @@ TEST(ProofConstants, TheDepthOfHullsAlongARoundedAxisParts) {
   const oracle::Depth depth(set(posed_a), set(posed_b));
   EXPECT_GE(depth.compare(exact(axes.body().lower_in_world(least.lower))), 0);
   EXPECT_LE(depth.compare(exact(axes.body().upper_in_world(least.upper))), 0);
+}
+
+std::string distance_fault(const PosedPolytope& a, const oracle::ConvexSet& set_a, const PosedPolytope& b,
+                           const oracle::ConvexSet& set_b) {
+  const Distance d = distance(a, b);
+  std::string fault = test::interval_fault(d, set_a, set_b);
+  return fault.empty() ? test::exact_witness_fault(d, a, b, test::size_of(set_a, set_b)) : fault;
+}
+
+void expect_distance_of_the_oracle(const Vec3& p, const Box& box, const Mat3& linear) {
+  const Pose pose{linear, {}};
+  EXPECT_EQ(
+      distance_fault(PosedPolytope(Point(p)), oracle::point_set(p), PosedPolytope(box, pose), world_set(box, pose)),
+      "");
+}
+
+// They cross at an angle of 2^-12, so that rounding moves where along them they are nearest.
+TEST(ProofConstants, NearPointsOfSegmentsThatAreNearlyParallelAreNotTold) {
+  const Vec3 p{-0x1.928bd3818f723p+0, 0x1.f5e7d4ebc2401p+0, 0}, q{0x1.521ff516079p+0, -0x1.d3c3e9915902ep-1, 0};
+  const Vec3 r{-0x1.576c1bf892459p+10, 0x1.4ab0c04ad5cb5p+10, 1}, s{0x1.c4a6616f7751cp+7, -0x1.b2f17ecd6cec6p+7, 1};
+  const PosedPolytope first(Segment(p, q)), second(Segment(r, s));
+  EXPECT_EQ(distance_fault(first, oracle::segment_set(p, q), second, oracle::segment_set(r, s)), "");
+}
+
+// One apart, and so long that the points of them that rounding takes are farther than that from each other.
+TEST(ProofConstants, LongSegmentsThatCrossAreNotNearestWhereRoundingHasThem) {
+  const Vec3 p{0x1.476c97b9d03dfp+22, -0x1.07e4cb316b432p+20, 0}, q{-0x1.541412e59c288p+24, 0x1.1217a7c1eed06p+22, 0};
+  const Vec3 r{0x1.3b9139dcfd90ap+29, -0x1.ebe731c6a85p+25, 1}, s{-0x1.82b475e1829ap+28, 0x1.2d6556d571246p+25, 1};
+  const PosedPolytope first(Segment(p, q)), second(Segment(r, s));
+  EXPECT_EQ(distance_fault(first, oracle::segment_set(p, q), second, oracle::segment_set(r, s)), "");
+}
+
+// The pose is sheared a little: of a point far away the length is right, but the foot is not.
+TEST(ProofConstants, AFootOnAShearedBoxIsNotTold) {
+  const Mat3 linear{{Vec3{0x1.0d221cb92ef8cp-3, 0x1.73cb5ac08b1b6p-4, -0x1.f96d797b7428bp-1},
+                     Vec3{0x1.d61242bec56a2p-3, -0x1.f16bd7ed33a36p-1, -0x1.e180cffda06a7p-5},
+                     Vec3{-0x1.edc4863d6ce7p-1, -0x1.c037e132d6a82p-3, -0x1.30236b6c0f7bcp-3}}};
+  expect_distance_of_the_oracle({-0x1.20f3222107a89p+5, -0x1.4032f1989da73p+1, -0x1.4fffea5978fd2p+2},
+                                Box({0x1.3434da8613e13p-1, 0x1.354a1d0b183bp-1, 0x1.de84a4dae7a3p-1}), linear);
+}
+
+// Two edges are nearly parallel, so that the violation at a foot tells little of where the nearest point is.
+TEST(ProofConstants, EdgesThatAreNearlyParallelAreNotThoseOfABox) {
+  const Mat3 linear{{Vec3{1, 1, 0}, Vec3{0, 0x1.7264452db3f4ep-23, 0}, Vec3{0, 0, 1}}};
+  expect_distance_of_the_oracle({-0x1.f2e44bdf3ffa4p-1, -0x1.ab2cc22be479cp-26, 0x1.342b1120513bep+1},
+                                Box({0x1.18c6e99cd06abp+0, 0x1.9ee4d71a69328p-1, 0x1.b1a16e1defdd4p-1}), linear);
+}
+
+// Above an edge, which lies level: rounding hides that the point is beside it.
+TEST(ProofConstants, APointVeryNearAnEdgeIsBesideItByARounding) {
+  const Mat3 linear{{Vec3{-0x1.48f1d3f9b8b75p-1, -0x1.156f24efa3bd2p-1, 0x1.156f24efa3bd2p-1},
+                     Vec3{0x1.8859e4d5ad026p-1, -0x1.d132ae4e69e98p-2, 0x1.d132ae4e69e98p-2},
+                     Vec3{0, 0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1}}};
+  expect_distance_of_the_oracle({0x1.0fcf1d4ac2b86p-2, -0x1.8a943d4a2a94ep-1, 0x1.a0fa93f0b3449p+0},
+                                Box({0x1.4c4c3347e5505p+0, 0x1.5ba7c32d43b2bp+0, 0x1.e415643d74aa6p-1}), linear);
+}
+
+// A box of a thickness of 2^-16, whose corners are bent by more than their rounded differences tell.
+TEST(ProofConstants, TheBendOfASlenderBoxIsRounded) {
+  const Mat3 linear{{Vec3{-0x1.dfe39ee6c7b6p-1, 0x1.946bfd9b5397p-3, -0x1.26213f98ec682p-2},
+                     Vec3{0x1.3780c89830f6cp-2, 0x1.f4735de92302p-5, -0x1.e6bb27946e8d1p-1},
+                     Vec3{-0x1.5c867e9e45ee6p-3, -0x1.f4f145fbfc0b5p-1, -0x1.e09587671bf8p-4}}};
+  expect_distance_of_the_oracle({0x1.4d83bcf4e45e4p-2, -0x1.672de2aa8ee9ep+1, -0x1.c054c1490ac68p-4},
+                                Box({0x1.f49d1ae209bcap+0, 0x1.38b64cf75462ap-16, 0x1.48b7661fc3045p+0}), linear);
+}
+
+// Two plates, turned about one axis, so that no skewness is seen: a corner of the one, far from the middles, is beside
+// a face of the other by less than what rounding makes of it.
+TEST(ProofConstants, PlatesAreNotDecidedByWhatIsRounded) {
+  const Mat3 turn_a{{Vec3{-0x1.17c9d7ed3ff8ep-1, 0x1.accab48b903d3p-1, 0},
+                     Vec3{-0x1.accab48b903d3p-1, -0x1.17c9d7ed3ff8ep-1, 0}, Vec3{0, 0, 1}}};
+  const Mat3 turn_b{{Vec3{-0x1.17cbd3010ff62p-1, 0x1.acc969ab24db7p-1, 0},
+                     Vec3{-0x1.acc969ab24db7p-1, -0x1.17cbd3010ff62p-1, 0}, Vec3{0, 0, 1}}};
+  expect_overlap_of_the_oracle(Box({0x1.52e661f23a3d8p-16, 0x1.263c9fa57d97bp-1, 0x1.52e661f23a3d8p-16}), {turn_a, {}},
+                               Box({0x1.595ba18501dap-14, 0x1.ca61c9ce97b06p-3, 0x1.595ba18501dap-14}),
+                               {turn_b, {-0x1.e88fc9fc8c46p-15, -0x1.765fd68fb5ecdp-14, 0}});
+}
+
+// The same of plates that are sheared.
+TEST(ProofConstants, ShearedPlatesAreNotDecidedByWhatIsRounded) {
+  const Box a({0x1.e9e1ee96673ecp-2, 0x1.33681799a336ep-1, 0x1.252a08fecfeb7p-16}),
+      b({0x1.975ea674ff132p-2, 0x1.7710fec2b0144p-1, 0x1.8ccff68793753p-17});
+  const Pose pose_a{{{Vec3{0x1.3013ceadc2d98p-6, -0x1.013c44df3efdep+0, -0x1.2caf88428376p-4},
+                      Vec3{-0x1.6c4571753c884p-1, -0x1.5365c581e9ffap-4, 0x1.7b31a8adf38d2p-1},
+                      Vec3{-0x1.53b0348156abfp-1, 0x1.b940ae1815bd6p-4, -0x1.55f83ad478258p-1}}},
+                    {}};
+  const Pose pose_b{{{Vec3{0x1.3013ceadc2d98p-6, -0x1.013c44df3efdep+0, -0x1.2caf88428376p-4},
+                      Vec3{-0x1.6c4571753c884p-1, -0x1.5365c581e9ffap-4, 0x1.7b31a8adf38d2p-1},
+                      Vec3{-0x1.53b0348156abfp-1, 0x1.b940ae1815bd6p-4, -0x1.55f83ad478258p-1}}},
+                    {0x1.f0c1431642d06p-14, -0x1.7cbf89d73e292p-16, -0x1.5bbe4e7315ae4p-14}};
+  const bool expected = oracle::overlap(world_set(a, pose_a), world_set(b, pose_b));
+  const std::optional<bool> meet = BoxAxes(PosedPolytope(a, pose_a), PosedPolytope(b, pose_b)).meet();
+  EXPECT_EQ(meet.value_or(expected), expected);
+}
+
+// Two wedges, whose edges are nearly parallel and overlap a little less than a face of the one and the other: so much
+// less that the height of the facet that these edges make decides, which is rounded the other way.
+TEST(ProofConstants, TheDepthOfEdgesThatAreNearlyParallelIsRounded) {
+  const std::vector<Vec3> corners_a{{-0x1.c2f0b0d41a286p-1, 0x1.c3abb646d7e1cp-2, 0x1.612a1a208322fp-3},
+                                    {-0x1.215269e763512p-1, 0x1.c103da10f46c1p-1, 0x1.56e25cc0a3516p-1},
+                                    {-0x1.07949568e9f55p+0, -0x1.d9373792b0c7ap-5, 0x1.604dcb42be018p-1},
+                                    {0x1.c2f0b0d41a286p-1, -0x1.c3abb646d7e1cp-2, -0x1.612a1a208322fp-3},
+                                    {0x1.32477be0687fdp+0, -0x1.53ee1af1bad9p-8, 0x1.4c9a9f60c37fcp-2},
+                                    {0x1.76b836d660662p-1, -0x1.e13f29c002ee4p-1, 0x1.5f717c64f8e02p-2}};
+  const std::vector<Vec3> corners_b{{-0x1.68b8d330e179ap-1, 0x1.68f966a31c9c4p-2, 0x1.1cffc5680922cp-3},
+                                    {-0x1.edd5c7329ff98p-1, 0x1.4347b1a75cd36p-4, -0x1.f4a36b1bfe346p-2},
+                                    {-0x1.aec5287020dc1p-1, 0x1.716658e38339bp-2, -0x1.294aaa1e761ccp-1},
+                                    {0x1.6907db4d7b88ap-1, -0x1.688fb22502ca4p-2, -0x1.18cdeecf26918p-3},
+                                    {0x1.c7d5ce977a116p-2, -0x1.405b962f2418ep-1, -0x1.87c5229bcb074p-1},
+                                    {0x1.22fb860e3c262p-1, -0x1.6022bfe49c2cep-2, -0x1.b6be172c4209dp-1}};
+  const ConvexHull a(corners_a), b(corners_b);
+  const std::optional<CoreSeparation> found = part_cores_fast(PosedPolytope(a), PosedPolytope(b), 0);
+  if (!found) return;
+  const oracle::Depth depth(oracle::hull_set(corners_a), oracle::hull_set(corners_b));
+  EXPECT_GE(depth.compare(exact(found->lower)), 0);
+  EXPECT_LE(depth.compare(exact(found->upper)), 0);
+}
+
+std::string distance_fault(const Vec3& p, const Triangle& t) {
+  return distance_fault(PosedPolytope(Point(p)), oracle::point_set(p), PosedPolytope(t),
+                        oracle::triangle_set(t[0], t[1], t[2]));
+}
+
+// A narrow triangle far from the point: rounding moves the foot along it.
+TEST(ProofConstants, AFootOnANarrowTriangleIsNotTold) {
+  EXPECT_EQ(distance_fault({-0x1.ffc75b64739adp-1, -0x1.ffc7e6fce3bcdp-1, -0x1.ffc87f5ab0e6p-1},
+                           Triangle{{Vec3{0x1.ffa3c47200882p-1, 0x1.ff9c0d43f64d7p-1, 0x1.ff939f017277p-1},
+                                     Vec3{0x1.ff8f473d38739p-1, 0x1.ff9b7158eeaa5p-1, 0x1.ffa8b821422ebp-1},
+                                     Vec3{0x1.ff930f4a162f6p-1, 0x1.ff9b8cc3c684p-1, 0x1.ffa4d4a98c993p-1}}}),
+            "");
+}
+
+// One above a triangle that is so large that what rounds of the foot is a part of that.
+TEST(ProofConstants, AFootOnALargeTriangleIsNotTheNearestPoint) {
+  EXPECT_EQ(distance_fault({0x1.d0e3d6320d9acp-2, -0x1.42cd0b78a7564p-1, 1},
+                           Triangle{{Vec3{-0x1.8b7eb7940762ep+28, -0x1.81b3842c216aap+28, 0},
+                                     Vec3{0x1.a679cd9ac6591p+29, 0x1.79581f8c8da8bp+29, 0},
+                                     Vec3{0x1.d27d648ccd60fp+29, 0x1.e176f72a2335dp+29, 0}}}),
+            "");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/fast_proof.hpp"
 #include "narrow/quadrics/distance/fast_refinement.hpp"
+#include "narrow/quadrics/inside/quadric_containment.hpp"
 #include "narrow/quadrics/inside/unit_frame.hpp"
 #include "oracle/convex.hpp"
 #include "oracle/rational.hpp"
@@ -177,6 +178,62 @@ TEST(QuadricContactConstants, ADepthBelowNormalDoublesIsRoundedDown) {
   const Penetration found = penetration(ball_in_contact(r, {}), ball_in_contact(s, centre));
   EXPECT_GT(found.lower, 0);
   EXPECT_GE(square_of_number(exact(r) + exact(s) - exact(found.lower)), squared_between(centre, {}));
+}
+
+// The steps to two vertices cancel, but not what is rounded of each; a vertex next to the first is the highest.
+TEST(QuadricContactConstants, StepsOfAPointThatCancelAreRounded) {
+  const Vec3 first{0x1.c39718db678fp-3, 0x1.53f8811759bc8p-3, -0x1.eb859b07c93d2p-1},
+      highest{0x1.c399b2a713529p-3, 0x1.53f85de2aad77p-3, -0x1.eb855ef3db17ap-1};
+  const Vec3 left{0x1.48e41b674a843p-5, 0x1.7505d91105d11p-1, -0x1.82f741ea48983p-2},
+      right{0x1.8b97f03417bc2p-2, -0x1.67a484e704585p-2, -0x1.7ec4855c55a54p+0};
+  const Vec3 below{-0x1.614f81364f04p-7, -0x1.7dc2da9c408bap-3, -0x1.61d649ae81904p-1},
+      centre{0x1.c39b917312371p-3, 0x1.53fb376d018c1p-3, -0x1.eb85ea2084ec8p-1};
+  const double radius = 0x1.d097b0c1155fap-29;
+  const ConvexHull hull(std::vector<Vec3>{first, highest, left, right, below});
+  const PosedPolytope posed(hull);
+  const PlainBody body(posed, PairFrame{});
+  const auto number_of = [&](const Vec3& point) {
+    Index i = 0;
+    while (!(posed.vertex(i) == point)) ++i;
+    return i;
+  };
+  const Vec3 upwards{0x1.d9ac10eecc7f4p-2, 0x1.68ddadd9cd241p-1, -0x1.135ea2b28f59bp-1};
+  FastSide ball, mean;
+  ball.size = 1;
+  ball.weight = {1, 0, 0};
+  ball.round = -upwards;
+  mean.size = 3;
+  mean.body = &body;
+  mean.generator = {number_of(first), number_of(left), number_of(right)};
+  mean.weight = {1 - 0x1.c8ca22ab673eep-2 - 0x1.f0d6a45f24593p-2, 0x1.c8ca22ab673eep-2, 0x1.f0d6a45f24593p-2};
+  const FastDistance found = proved_interval(ball_in_contact(radius, centre), posed, ball, mean, upwards);
+  EXPECT_LE(square_of_number(exact(found.lower) + exact(radius)), squared_between(centre, highest));
+}
+
+// Seen from the origin of the frame, the tip is rounded to within the radius around the core.
+TEST(QuadricContactConstants, ATipJustBeyondARoundedShapeIsNotHeld) {
+  const double radius = 0x1.8p-12, half_height = 0x1p-14 + 0x1p-54;
+  const Vec3 middle{1, 1, 1 + radius - 0x1p-14};
+  ASSERT_GT(exact(middle.z) + exact(half_height), exact(1) + exact(radius) + exact(0x1p-60));
+  const PosedQuadric cone(Cone(0x1p-20, half_height), {{}, middle});
+  const PosedPolytope core(Segment({1, 1, 1}, {1, 1, 0}));
+  EXPECT_NE(is_held_by_offset(QuadricBody(cone, PairFrame{}), core, radius + 0x1p-60), Within::yes);
+}
+
+// Of a ball, beside a tiny one: the length of the direction rounds up, and its product with the point that lies there,
+// drawn in by ten roundings, nearly as much.
+TEST(QuadricContactConstants, WhatABallReachesBeyondItsPointIsRounded) {
+  const Vec3 centre{-0x1.d54700bc65f08p-2, -0x1.30b8ba70285bp-1, -0x1.4b05f1dd839d8p-4};
+  const double tiny = 0x1p-40, radius = 0x1.82ce4e2114761p-1;
+  FastSide on_a, on_b;
+  on_a.size = on_b.size = 1;
+  on_a.weight = on_b.weight = {1, 0, 0};
+  on_a.round = -centre;
+  on_b.round = centre;
+  const FastDistance found =
+      proved_interval(ball_in_contact(tiny, centre), PosedPolytope(Sphere(radius), Pose{}), on_a, on_b, centre);
+  EXPECT_GT(found.lower, 0);
+  EXPECT_LE(square_of_number(exact(found.lower) + exact(radius) + exact(tiny)), squared_between(centre, {}));
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ TEST(CheckClearance, RefusesTwoLengthsForAPairAndOneWithinAGroup) {
   EXPECT_EQ(error_of(models, {{0, 1, 1}, {1, 0, 1}}), "");
 }
 
-TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
+TEST(CheckClearance, IsReportedWithoutWhatTouchesAndWithoutDistances) {
   const std::vector<SceneInstance> models{at(Box{{1, 1, 1}}, 0, 0, 0), at(Box{{1, 1, 1}}, 2, 0, 0)};
   Scene scene;
   for (const char* const name : {"a", "b"}) {
@@ -161,8 +161,10 @@ TEST(CheckClearance, IsReportedWithoutIgnoringTouchingAndWithoutDistances) {
   }
   const CheckAnswer answer = check_all(models);
   for (const ReportOptions& options : {ReportOptions{.touching = Touching::ignore, .clearance = 0},
-                                       ReportOptions{.touching = Touching::ignore, .pair_clearances = {{0, 1, 0}}}})
-    EXPECT_THROW(static_cast<void>(make_check_report(models, answer, options)), Error);
+                                       ReportOptions{.touching = Touching::ignore, .pair_clearances = {{0, 1, 0}}}}) {
+    EXPECT_TRUE(make_check_report(models, answer, options).pairs.empty());
+    EXPECT_EQ(make_check_report(models, answer, options).ignored_touching, 1U);
+  }
   const CheckReport report = make_check_report(models, answer, {.clearance = 0});
   EXPECT_EQ(report_json(scene, models, report).find("\"distance\""), std::string::npos);
   const std::string csv = report_csv(scene, report);

@@ -38,14 +38,16 @@ TEST(ContactRegions, OfABoxPressedIntoATable) {
   EXPECT_NEAR(region.area, 1, 1e-12);
   EXPECT_NEAR(region.normal.z, 1, 1e-12);
   ASSERT_TRUE(region.depth);
-  EXPECT_NEAR(*region.depth, 0.125, 1e-12);
-  EXPECT_NEAR(region.deepest.z, 0, 1e-12);
+  EXPECT_NEAR(region.depth->lower, 0.125, 1e-12);
+  EXPECT_NEAR(region.depth->upper, 0.125, 1e-12);
+  EXPECT_LE(region.deepest.z, 0);
+  EXPECT_GE(region.deepest.z, -0.125);
   EXPECT_EQ(region.box.lower.x, 0.3 - 0.5);
   const auto other = regions_of(box_mesh({0.5, 0.5, 0.5}, {0.3, 0.2, 0.375}), table(), {});
   ASSERT_EQ(other.size(), 1U);
   EXPECT_NEAR(other[0].area, 1, 1e-12);
   EXPECT_NEAR(other[0].normal.z, -1, 1e-12);
-  EXPECT_NEAR(*other[0].depth, 0.125, 1e-12);
+  EXPECT_EQ(other[0].depth, region.depth);
 }
 
 TEST(ContactRegions, AreThoseOfEachLegTheDeepestFirst) {
@@ -53,7 +55,9 @@ TEST(ContactRegions, AreThoseOfEachLegTheDeepestFirst) {
   ASSERT_EQ(regions.size(), 3U);
   const std::vector<double> depths = {0.625, 0.375, 0.125}, middles = {2.125, 0.125, -1.875};
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(*regions[i].depth, depths[i], 1e-12);
+    EXPECT_LE(regions[i].depth->lower, depths[i] * (1 + 1e-12));
+    EXPECT_GE(regions[i].depth->upper, depths[i]);
+    EXPECT_LE(regions[i].depth->upper, 1.1 * regions[i].depth->lower);
     EXPECT_NEAR((regions[i].box.lower.x + regions[i].box.upper.x) / 2, middles[i], 1e-12);
     EXPECT_NEAR(regions[i].area, 0.25, 1e-12);
     EXPECT_TRUE(regions[i].closed);
@@ -67,7 +71,21 @@ TEST(ContactRegions, OfFacesThatLieOnEachOtherAreTheirCommonArea) {
   EXPECT_NEAR(regions[0].area, 1, 1e-12);
   EXPECT_NEAR(regions[0].normal.z, 1, 1e-12);
   EXPECT_GE(regions[0].point_count, 4U);
-  EXPECT_NEAR(*regions[0].depth, 0, 1e-12);
+  EXPECT_EQ(regions[0].depth, (ContactRegion::Depth{0, 0}));
+}
+
+// A triangle of the table is in contact with hundreds.
+TEST(ContactRegions, OfManySidesOnOneTriangleHaveTheAreaOfThePolygon) {
+  const int sides = 600;
+  const double area = 0.5 * sides * std::sin(2 * std::acos(-1.0) / sides);
+  for (const double depth : {0.0, 0.125}) {
+    const auto regions = regions_of(table(), prism_mesh(1, 1, sides), Pose::translation(0.3, 0.2, -depth));
+    ASSERT_EQ(regions.size(), 1U);
+    EXPECT_NEAR(regions[0].area, area, 1e-9) << depth;
+    EXPECT_NEAR(regions[0].normal.z, 1, 1e-9) << depth;
+    EXPECT_NEAR(regions[0].depth->lower, depth, 1e-9);
+    EXPECT_NEAR(regions[0].depth->upper, depth, 1e-9);
+  }
 }
 
 TEST(ContactRegions, OfSurfacesHaveNoDepth) {
@@ -91,7 +109,7 @@ TEST(ContactRegions, CountEveryContactOnce) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
     EXPECT_NEAR(other[i].area, regions[i].area, 1e-9);
     EXPECT_NEAR(dot(other[i].normal, regions[i].normal), -1, 1e-9);
-    EXPECT_NEAR(*other[i].depth, *regions[i].depth, 1e-9);
+    EXPECT_EQ(other[i].depth, regions[i].depth);
   }
 }
 

@@ -128,10 +128,11 @@ TEST(Extremes, RegionsDoNotDependOnSizeOrOrientation) {
         const auto regions = contact_regions(a, b, query);
         ASSERT_EQ(regions.size(), 1U) << size;
         EXPECT_TRUE(regions[0].closed) << size;
-        EXPECT_NEAR(regions[0].normal.x, 0.585, 0.001) << size;
-        EXPECT_NEAR(regions[0].normal.z, 0.638, 0.001) << size;
+        EXPECT_NEAR(regions[0].normal.z, 1, 1e-9) << size;
+        EXPECT_NEAR(regions[0].area / size / size, 0.42, 1e-9) << size;
         ASSERT_TRUE(regions[0].depth) << size;
-        EXPECT_NEAR(*regions[0].depth / size, 1.0525, 0.001) << size;
+        EXPECT_NEAR(regions[0].depth->lower / size, 0.55, 1e-9) << size;
+        EXPECT_NEAR(regions[0].depth->upper / size, 0.55, 1e-9) << size;
       }
 }
 
@@ -141,15 +142,16 @@ TEST(Extremes, AMirroredSolidIsNoOtherThanItsImage) {
   query.pose_b = {Mat3{{Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}}, {0.4, 0.3, 0.45}};
   const auto regions = contact_regions(a, b, query);
   ASSERT_EQ(regions.size(), 1U);
-  EXPECT_NEAR(regions[0].normal.x, 0.585, 0.001);
+  EXPECT_NEAR(regions[0].normal.z, 1, 1e-9);
+  EXPECT_NEAR(regions[0].area, 0.42, 1e-9);
 }
 
-TEST(Extremes, TouchingSolidsHaveNoDepthOfARegion) {
+TEST(Extremes, TouchingSolidsAreNotDeepInEachOther) {
   PairQuery query;
   query.pose_b.offset = {1, 1, 0};
   const auto regions = contact_regions(Model(cube(1)), Model(cube(1)), query);
   ASSERT_EQ(regions.size(), 1U);
-  EXPECT_FALSE(regions[0].depth);
+  EXPECT_EQ(regions[0].depth, (ContactRegion::Depth{0, 0}));
 }
 
 TEST(Extremes, AHalfSpaceMayHaveALongNormal) {

@@ -18,6 +18,7 @@
 #include "query/nearest/nearest_elements.hpp"
 #include "query/penetration/separating_search.hpp"
 #include "query/posed_shape.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/faces_in_region.hpp"
 #include "toccata/query/nearest.hpp"
 
@@ -137,6 +138,22 @@ TEST(ProofConstants, TheConcavityOfAHullThatSticksOutALittleIsRoundedUp) {
   ASSERT_LT(upper, 0x1.1p-30);
   const auto way = exact(corner) - exact(less);
   EXPECT_GE(exact(upper) * exact(upper), oracle::dot(way, way));
+}
+
+// A corner sticks out of the solid by a little more than 2^-10, which is lost in the frame of the solid, that counts
+// from its middle.
+TEST(ProofConstants, TheConcavityOfACornerThatIsRoundedInTheFrameIsNotLess) {
+  const double out = 0x1p-10 + 0x1p-53, y = 0.25, z = 0.125;
+  const ConvexHull hull(std::vector<Vec3>{{-out, y, z},
+                                          {0x1p-10, y + 0x1p-10, z},
+                                          {0x1p-10, y - 0x1p-10, z + 0x1p-10},
+                                          {0x1p-10, y - 0x1p-10, z - 0x1p-10}});
+  const TriangleMesh mesh = box_mesh({1, 1, 1}, {1, 0, 0});
+  const Model solid(mesh);
+  const SolidFrame frame(inspect(mesh));
+  const double upper = ConcaveSolid(solid, frame).concavity_of(hull, 0, {}).upper;
+  ASSERT_LT(upper, 0x1.001p-10);
+  EXPECT_GE(exact(upper), exact(out));
 }
 
 // 1 + 2^-53 rounds to 1.

@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "query/meshes/posed_mesh.hpp"
+#include "query/nearest/way_into_tree.hpp"
 #include "query/ray_checks.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/batch.hpp"
+#include "toccata/shapes/height_field.hpp"
 
 namespace toccata {
 namespace {
@@ -95,6 +98,65 @@ TEST(Ray, BatchIsTheSameAsOneByOne) {
   }
   EXPECT_GT(hits, 100U);
   EXPECT_LT(hits, 1900U);
+}
+
+/// Meshes of all sizes, some far from the origin, and a field.
+std::vector<Model> models_where_they_are() {
+  std::vector<Model> models;
+  for (const double scale : {1.0, 1e-3, 1e150, 1e-150, 1e-305})
+    for (const double shift : {0.0, 7.0, 1e9}) {
+      const TriangleMesh mesh = generate_mesh("torus-knot");
+      std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
+      for (Vec3& v : vertices) v = scale * (v + Vec3{shift, -shift, 0.5 * shift});
+      models.emplace_back(mesh.with_vertices(vertices));
+    }
+  models.emplace_back(generate_mesh("noise-sphere", {{"roughness", 0.9}}));
+  models.emplace_back(HeightField(3, 3, 1, 1, std::vector<double>{0, 1, 0, 2, 0, 1, 0, 0, 3}));
+  return models;
+}
+
+/// A mesh at the identity is not posed for a single ray; one of many is asked about posed.
+TEST(Ray, AtTheIdentityTheAnswerIsThatOfAPosedMesh) {
+  Random random(17);
+  Pose with_minus_zeros;
+  with_minus_zeros.offset = {-0.0, 0, -0.0};
+  with_minus_zeros.linear[0].y = -0.0;
+  std::size_t hits = 0, starts = 0;
+  for (const Model& model : models_where_they_are()) {
+    const Aabb& box = model.wide_bvh().box;
+    const auto place = [&] {
+      const double x = random.between(-0.3, 1.3), y = random.between(-0.3, 1.3), z = random.between(-0.3, 1.3);
+      const Vec3 size = box.upper - box.lower;
+      return box.lower + Vec3{x * size.x, y * size.y, z * size.z};
+    };
+    std::vector<RayQuery> rays;
+    for (int i = 0; i < 30; ++i) {
+      const Vec3 from = place(), to = place();
+      if (!(from == to)) rays.push_back({from, to - from, {}, Solid::automatic});
+    }
+    const std::vector<RayHit> posed = cast_ray_each(rays, model);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const RayHit hit = cast_ray(rays[i].origin, rays[i].motion, model);
+      ASSERT_EQ(hit, posed[i]) << i;
+      ASSERT_EQ(hit, cast_ray(rays[i].origin, rays[i].motion, model, with_minus_zeros)) << i;
+      hits += hit.hit ? 1 : 0;
+      starts += hit.hit && hit.upper == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 100U);
+  EXPECT_GT(starts, 4U);
+}
+
+TEST(Ray, TheWayIntoATreeAtTheIdentityIsThatOfThePose) {
+  for (const Model& model : models_where_they_are()) {
+    const WayIntoTree posed{PosedMesh(model, Pose{})}, standing(model.wide_bvh());
+    ASSERT_EQ(standing.usable(), posed.usable());
+    if (!posed.usable()) continue;
+    EXPECT_EQ(standing.back(), posed.back());
+    EXPECT_EQ(standing.origin(), posed.origin());
+    EXPECT_EQ(standing.off_at_origin(), posed.off_at_origin());
+    EXPECT_EQ(standing.off_by_size(), posed.off_by_size());
+  }
 }
 
 TEST(Ray, BadInputIsRefused) {

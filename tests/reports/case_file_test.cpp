@@ -161,6 +161,13 @@ SceneQuestion question(Random& random, const Scene& of) {
       if (!yes) check.clearance = reach;
       if (!yes && of.objects.size() > 2 && of.objects[0].group.empty())
         check.pair_clearances = {{2, 0, length(random)}};
+      else if (random.below(2) == 0)
+        check.rules = {{{{of.objects[0].name, "x*"}, {"*"}}}, {{{"a?\\*"}, {of.objects[1].name}}}};
+      if (random.below(2) == 0) check.order = PairOrder::severity;
+      if (random.below(2) == 0) {
+        const FormerPair was{of.objects[0].name, of.objects[1].name, RelationKind::touching, Containment::b_in_a};
+        check.baseline = Baseline{"old.json", {was, {"gone", "too", RelationKind::apart, Containment::none}}};
+      }
       return check;
     }
     case 1:

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
+
+#include "toccata/core/random.hpp"
 
 namespace toccata {
 namespace {
@@ -181,6 +184,49 @@ TEST(MeshHealth, MinusZeroIsZeroAndSoupIsWelded) {
   EXPECT_EQ(health.vertices, 36U);
   EXPECT_EQ(health.distinct_vertices, 8U);
   EXPECT_TRUE(health.closed);
+}
+
+/// The quick way to tell whether a mesh is closed says what counting all edges says, of surfaces that hang together
+/// through vertices of their own, through equal ones, or not at all.
+TEST(MeshHealth, ClosedIsToldAsByCounting) {
+  Random random(11);
+  std::size_t closed = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::vector<Vec3> vertices = cube_vertices;
+    Triangles triangles = cube_triangles;
+    const auto number = [&](std::size_t count) {
+      return static_cast<Index>(std::floor(random.between(0, static_cast<double>(count))));
+    };
+    for (Index changes = number(4); changes > 0; --changes) {
+      auto& triangle = triangles[number(triangles.size())];
+      Index& corner = triangle[number(3)];
+      switch (number(6)) {
+        case 0:  // an equal vertex
+        case 1: {
+          Vec3 twin = vertices[corner];
+          if (twin.x == 0) twin.x = -0.0;
+          vertices.push_back(twin);
+          corner = static_cast<Index>(vertices.size() - 1);
+          break;
+        }
+        case 2:  // without area, there and back
+          triangles.push_back({corner, corner, triangle[number(3)]});
+          break;
+        case 3:  // its reverse, and it again
+          triangles.push_back({triangle[0], triangle[2], triangle[1]});
+          triangles.push_back({triangles.back()[0], triangles.back()[2], triangles.back()[1]});
+          break;
+        case 4:
+          corner = number(vertices.size());
+          break;
+        default:
+          triangles.push_back({triangle[1], triangle[0], triangle[2]});
+      }
+    }
+    closed += health_of(vertices, triangles).closed ? 1 : 0;  // compares
+  }
+  EXPECT_GT(closed, 800U);
+  EXPECT_LT(closed, 3600U);
 }
 
 TEST(MeshHealth, VolumeFarAwayTinyAndHuge) {

@@ -14,6 +14,7 @@
 #include "toccata/io/model_file.hpp"
 #include "toccata/trees/builders.hpp"
 #include "toccata/trees/wide_bvh.hpp"
+#include "trees/box_runs.hpp"
 #include "trees/wide_boxes.hpp"
 #include "trees/wide_check.hpp"
 
@@ -286,6 +287,19 @@ TEST(WideBuild, TheSameTreeOnAnyNumberOfThreads) {
   const auto boxes = random_boxes(random, 60'000, {5, 0, 0}, 1, 0.01);
   const WideBvh one = build_wide_bvh(boxes, {.threads = 1});
   for (const int threads : {1, 2, 3, 0}) EXPECT_TRUE(same(one, build_wide_bvh(boxes, {.threads = threads})));
+}
+
+TEST(WideBuild, TheSameTreeOverAMeshAndOverItsBoxes) {
+  for (const double subdivisions : {1.0, 3.0, 6.0}) {
+    const TriangleMesh mesh = generate_mesh("noise-sphere", {{"subdivisions", subdivisions}});
+    const WideBvh tree = build_wide_bvh(mesh, {.threads = 2});
+    EXPECT_TRUE(same(tree, build_wide_bvh(boxes_of(mesh))));
+    EXPECT_EQ(fault_of(tree, mesh), "");
+    WideBvh damaged = tree;
+    std::swap(damaged.items.front(), damaged.items.back());
+    EXPECT_EQ(fault_of(damaged, mesh), fault_of(damaged, boxes_of(mesh)));
+    EXPECT_NE(fault_of(damaged, mesh), "");
+  }
 }
 
 TEST(WideBuild, TooManyItemsAreRefused) {

@@ -116,8 +116,8 @@ TEST(WideCheck, IsOfTheBoxesAndNotOfTheirNumber) {
   boxes[7].lower.x -= 1e-3;
   EXPECT_NE(fault_of(tree, boxes), "");
   EXPECT_NE(fault_of(tree, random_boxes(299)), "");
-  EXPECT_EQ(fault_of(WideBvh{}, {}), "");
-  EXPECT_NE(fault_of(tree, {}), "");
+  EXPECT_EQ(fault_of(WideBvh{}, std::span<const Aabb>()), "");
+  EXPECT_NE(fault_of(tree, std::span<const Aabb>()), "");
 }
 
 }  // namespace

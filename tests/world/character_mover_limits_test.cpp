@@ -136,6 +136,19 @@ TEST(CharacterMoverLimits, AWayThatCannotBeProvedIsSaidToBeCutShort) {
   EXPECT_GT(stopped, 0);
 }
 
+// Up beside a plane that leans by little, as far as it cannot be proved where that is met.
+TEST(CharacterMoverLimits, AStepThatCannotBeProvedIsSaidToBeCutShort) {
+  const SceneIndex level =
+      scene({floor_below(), block({2, 0, 1}, {1, 1, 1}), {HalfSpace({-2, 0, 0}, normalized(Vec3{1, 0, -1e-9})), {}}});
+  const State state = landed(level, {0, 0, 0.1});
+  const Step low = move_character(level, capsule(), state, {2, 0, 0}, {.step_height = 1e6});
+  const Step high = move_character(level, capsule(), state, {2, 0, 0}, {.step_height = 1e12});
+  EXPECT_TRUE(low.stepped);
+  EXPECT_FALSE(low.cut_short);
+  EXPECT_TRUE(high.stepped);
+  EXPECT_TRUE(high.cut_short);
+}
+
 TEST(CharacterMoverLimits, AWayThatBendsTooOftenIsSaidToBeCutShort) {
   // Around a many-sided pillar in a ring of walls the way bends at each.
   std::vector<SceneInstance> models;

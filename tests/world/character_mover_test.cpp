@@ -477,6 +477,13 @@ TEST(CharacterMover, RandomWalksKeepWhatIsPromised) {
   }
 }
 
+// Found by the sweep: the way out led below the floor, and the floor back into the solid.
+TEST(CharacterMover, WhollyWithinASolidItIsTooNear) {
+  Random random(16346998872990855156U);
+  const MoverLevelCase level = random_level("room", random);
+  for (int walk = 0; walk < 4; ++walk) EXPECT_EQ(fault_of_walk(level, random, 40), "") << walk;
+}
+
 // Found by the sweep: planes that nearly face each other met ten times as far away as a free place.
 TEST(CharacterMover, IsNotPushedOutFarWhereAFreePlaceIsNear) {
   struct Found {

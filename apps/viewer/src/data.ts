@@ -147,7 +147,7 @@ export interface Pair {
   status: string;
   penetration?: Penetration | null;
   manifold?: { normal: Vec; points: { position: Vec; depth: number }[] } | null;
-  regions?: { area: number; depth: number | null; face_pairs: number }[];
+  regions?: { area: number; depth: number | null; depth_upper: number | null; face_pairs: number }[];
   distance?: Distance;
 }
 

@@ -33,7 +33,8 @@ struct ReadOptions {
 void write_scene(const Scene& scene, const std::string& folder);
 
 /// One sentence for every mesh whose box diagonal in the world is 500 times the median of the scene's meshes or more,
-/// or as much less: a unit is probably missing.
+/// or as much less: a unit is probably missing. And one where the unit is known and all meshes together are more than
+/// 1 km across, or less than 0.1 mm.
 [[nodiscard]] std::vector<std::string> scale_warnings(const Scene& scene);
 
 /// Metres per unit of "mm", "cm", "m", "km", "in", "ft", or of a positive number written out. Throws Error otherwise.

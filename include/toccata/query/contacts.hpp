@@ -64,35 +64,47 @@ namespace toccata {
   return contacts;
 }
 
-/// One connected piece of where two meshes meet: a curve along which their surfaces cross, or an area on which they
-/// lie. In world units, every number rounded: only the counts and `closed` are exact.
+/// One place at which two meshes meet: of two solids one connected part that they have in common, or on which they
+/// touch; else one connected curve along which their surfaces cross, or area on which they lie. In world units, every
+/// number rounded: only the counts, `closed` and the bounds of the depth are exact.
 struct ContactRegion {
+  /// The exact number lies in [lower, upper].
+  struct Depth {
+    double lower = 0;
+    double upper = 0;
+    friend constexpr bool operator==(const Depth&, const Depth&) = default;
+  };
+
   std::size_t triangle_pairs = 0;  ///< that meet in it
   std::size_t face_pairs = 0;      ///< of the files' faces
-  Aabb box;                        ///< around its points
-  std::size_t point_count = 0;     ///< distinct corners of the curve and of the area
-  /// The curve consists of loops: as often as a crossing segment begins at one of its points, one ends there. Not so
+  Aabb box;  ///< around its points and, of two solids, the vertices of each inside the other that hang on them
+  std::size_t point_count = 0;  ///< distinct corners of the curves and of the areas
+  /// The curves consist of loops: as often as a crossing segment begins at one of their points, one ends there. Not so
   /// where a surface ends, and where a curve runs along an edge or through a vertex.
   bool closed = false;
-  /// Of the shadow that what the curve bounds casts along the normal, and of the areas on which faces lie: the length
-  /// of the vector area of A's surface within B, which the curve alone determines (Stokes), and that of the areas. It
-  /// is not more than the true area, and that itself where the surface is flat. 0 of points and of curves that are not
-  /// closed.
+  /// Of two solids, that of the shadow which the common part casts along the normal, where it folds as often as it does
+  /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Else of the shadow
+  /// of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 of points and of curves
+  /// that are not closed.
   double area = 0;
-  /// Unit, from A to B: the direction of the vector area, else the mean of the faces' normals, else zero.
+  /// Unit, from A to B. Of two solids that overlap here from the point of B's surface that is nearest to `deepest` to
+  /// that of A's; else the direction of the vector area of A's surface within B, else the mean of the faces' normals,
+  /// else zero.
   Vec3 normal{};
-  /// Of two solids, how far the two reach into each other here along the normal: from the farthest point of B, against
-  /// it, to the farthest point of A, among the curve, the vertices of A inside B that are connected with it through
-  /// such, and those of B inside A. Not a bound: ask `penetration`. None where one is a surface, or the area is 0.
-  std::optional<double> depth{};
-  Vec3 deepest{};  ///< that farthest point of A; where there is no depth, the mean of the points
+  /// Of two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
+  /// `box` that lie in both. B moved by less than `lower`, in whichever direction, still overlaps A: it is a lower
+  /// bound of their penetration. `upper` is at most 10 % more, where that is found in reasonable time, and both are 0,
+  /// or `lower` is and `upper` some last places of the coordinates, where they touch. None where one is a surface.
+  std::optional<Depth> depth{};
+  Vec3 deepest{};  ///< a point of both solids whose sum is `lower` or more; of surfaces the mean of the points
 
   friend bool operator==(const ContactRegion&, const ContactRegion&) = default;
 };
 
 /// The regions of all contacts of two meshes or height fields. Two contacts are of one region when their triangles
-/// share a vertex in both meshes, vertices of equal coordinates taken as one, and so on. The deepest first, then the
-/// largest, then those of the least triangles. One solid inside the other without contact has none. Throws like
+/// share a vertex in both meshes, vertices of equal coordinates taken as one, and so on; of two solids also when a part
+/// of one's surface within the other joins them, so that a rod through a plate has one region. The deepest first, then
+/// the largest, then those of the least triangles. One solid inside the other without contact has none. Throws like
 /// `contacts`, and Error for other shapes.
 [[nodiscard]] std::vector<ContactRegion> contact_regions(const Model& a, const Model& b, const PairQuery& query = {});
 

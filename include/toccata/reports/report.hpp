@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
@@ -45,6 +46,14 @@ struct ReportedFacePair {
   std::vector<ReportedIntersection> intersections;
 };
 
+/// A pair that an earlier report tells.
+struct FormerPair {
+  std::string a, b;  ///< names of the objects
+  RelationKind kind = RelationKind::apart;
+  Containment containment = Containment::none;
+  friend bool operator==(const FormerPair&, const FormerPair&) = default;
+};
+
 struct ReportedPair {
   Index a = 0;
   Index b = 0;
@@ -56,6 +65,7 @@ struct ReportedPair {
   std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;  ///< filled when the answer has distances
+  std::optional<FormerPair> was{};   ///< in the baseline, where there is one and the pair is in it; a and b as here
 };
 
 /// Whether pairs that touch without their interiors meeting are reported.
@@ -63,6 +73,52 @@ enum class Touching { count, ignore };
 
 /// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
 [[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
+
+/// Two sets of objects, told by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
+/// in each, either way round.
+struct NameRule {
+  std::vector<std::string> a;
+  std::vector<std::string> b;
+};
+
+/// Which pairs are checked: without rules all that are not of one group.
+struct NameRules {
+  std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
+  std::vector<NameRule> ignored{};  ///< no pair of these
+  [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
+};
+
+/// Whether the whole name is as the pattern says: `*` stands for any characters or none, also for `/`, `?` for one
+/// character of UTF-8, and `\` makes the next one mean itself. Capital letters are others than small ones.
+[[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
+
+/// What an earlier report of `check` told, for comparison.
+struct Baseline {
+  std::string file;  ///< for people
+  std::vector<FormerPair> pairs;
+};
+
+/// Why a pair of the baseline is no longer reported.
+enum class GoneReason {
+  apart,     ///< neither in contact nor as near as its clearance
+  touching,  ///< merely touching, which is ignored
+  left_out,  ///< not checked: by the rules, or of one group
+  no_object  ///< one of the two is not in the scene
+};
+
+struct GonePair {
+  FormerPair was;
+  GoneReason reason = GoneReason::apart;
+};
+
+/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch.
+enum class Since { added, known, graver };
+
+/// The order in which pairs are reported.
+enum class PairOrder {
+  objects,  ///< of their objects in the scene
+  severity  ///< overlaps, the deepest first; then what touches; then what is near, the nearest first
+};
 
 /// What `check` found, ready to be written: pairs that count as contact or are nearer than their clearance, and how
 /// many merely touching ones were left out.
@@ -74,7 +130,17 @@ struct CheckReport {
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
   std::vector<PairClearance> pair_clearances{};
+  std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
+  std::optional<std::string> baseline{};  ///< the file, where there is one
+  std::vector<GonePair> gone{};           ///< of the baseline, in its order
 };
+
+/// Where there is a baseline.
+[[nodiscard]] Since since_baseline(const ReportedPair& pair);
+/// "new", "known", "graver".
+[[nodiscard]] std::string name_of(Since since);
+/// "apart", "touching", "left_out", "no_object".
+[[nodiscard]] std::string name_of(GoneReason reason);
 
 /// What of an answer is reported. Faces, penetrations and distances are there when `check_all` was asked for them. The
 /// clearances are those that it was asked for.
@@ -86,9 +152,13 @@ struct ReportOptions {
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};
   DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
+  // What `ask` heeds besides, and `make_check_report` does not.
+  NameRules rules{};
+  std::optional<Baseline> baseline{};
+  PairOrder order = PairOrder::objects;
 };
 
-/// Throws Error where touching is to be ignored and a clearance is asked for: a pair that touches is nearer than any.
+/// A pair that merely touches is left out where touching is ignored, however large its clearance.
 [[nodiscard]] CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                                             const ReportOptions& options = {});
 

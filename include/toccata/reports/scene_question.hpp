@@ -330,4 +330,8 @@ struct SavedReport {
 /// Throws Error naming the file and the place in it; also for a report that does not say what was asked.
 [[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
 
+/// What a report of `check` told, as the baseline of another check: `CheckQuestion::baseline`. Throws Error naming the
+/// file when it is no such report, or tells of objects of which none is in the scene: it is about another model.
+[[nodiscard]] Baseline read_baseline(const std::filesystem::path& path, const Scene& scene);
+
 }  // namespace toccata

@@ -1,11 +1,13 @@
 #include "toccata/io/model_file.hpp"
 
 #include <string>
+#include <utility>
 
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/file_error.hpp"
 #include "io/formats/mesh_text.hpp"
 #include "io/formats/parse.hpp"
+#include "shapes/triangulated.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -14,9 +16,9 @@ namespace {
 
 constexpr const char* formats_advice = "use an OBJ, STL, PLY or OFF file with its usual extension";
 
-TriangleMesh triangulated(const PolygonMesh& polygons, std::string_view name) {
+TriangleMesh triangulated(PolygonMesh polygons, std::string_view name) {
   try {
-    return triangulate(polygons);
+    return toccata::triangulated(std::move(polygons));
   } catch (const Error& error) {
     throw Error(std::string(name) + ": " + error.what());
   }

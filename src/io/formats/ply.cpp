@@ -70,6 +70,7 @@ class PlyBodyReader {
     for (const PlyProperty& property : element.properties) roles.push_back(role_of(property, element));
     require_corner_list(element, roles);
     if (element.name == "vertex") mesh_.vertices.reserve(element.count);
+    if (element.name == "face") reserve_faces(element, roles);
     for (element_ = 0; element_ < element.count; ++element_) read_element(element, roles);
   }
 
@@ -94,6 +95,16 @@ class PlyBodyReader {
     const auto list = std::ranges::find_if(roles, is_list) - roles.begin();
     if (!is_integer(element.properties[static_cast<std::size_t>(list)].type))
       fail_at_line(name_, element.line, {"the corners of faces are floats", "use an integer type"});
+  }
+
+  /// As for triangles, so far as the file has room for them.
+  void reserve_faces(const PlyElement& element, const std::vector<PlyRole>& roles) {
+    const auto list = std::ranges::find(roles, PlyRole::corners) - roles.begin();
+    const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];
+    const std::size_t bytes = size_of(*property.count_type) + 3 * size_of(property.type);
+    const std::size_t faces = std::min(element.count, values_.most_elements_left(4, bytes));
+    mesh_.corners.reserve(3 * faces);
+    mesh_.first.reserve(mesh_.first.size() + faces);
   }
 
   void read_element(const PlyElement& element, const std::vector<PlyRole>& roles) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "io/formats/file_error.hpp"
 #include "io/formats/parse.hpp"
 #include "io/formats/text_cursor.hpp"
+#include "shapes/point_numbers.hpp"
 
 namespace toccata::io {
 namespace {
@@ -17,11 +19,39 @@ namespace {
 // The binary form: 80 bytes of anything, the number of facets, then for each its normal, three vertices and two bytes.
 constexpr std::size_t stl_header_size = 84, facet_size = 50, normal_size = 12, float_size = 4;
 
-TriangleMesh mesh_of_soup(std::vector<Vec3> vertices) {
-  std::vector<std::array<Index, 3>> triangles(vertices.size() / 3);
-  for (Index i = 0; i < triangles.size(); ++i) triangles[i] = {3 * i, 3 * i + 1, 3 * i + 2};
-  return {std::move(vertices), std::move(triangles)};
-}
+/// Facets whose corners are told one by one. Corners of the same coordinates are one vertex: the format has no other
+/// way to say so, and a mesh is then a third as large.
+class FacetMesh {
+ public:
+  /// As closed meshes have them: half as many vertices as facets.
+  explicit FacetMesh(std::size_t facets) : numbers_(facets / 2) {
+    vertices_.reserve(facets / 2 + 2);
+    triangles_.reserve(facets);
+  }
+
+  [[nodiscard]] std::size_t corner_count() const { return 3 * triangles_.size() + corners_; }
+
+  void add_corner(const Vec3& corner) {
+    const auto number = static_cast<Index>(vertices_.size());
+    facet_[corners_] = numbers_.find_or_take(corner, number, vertices_, same_bits);
+    if (facet_[corners_] == number) vertices_.push_back(corner);
+    if (++corners_ < 3) return;
+    triangles_.push_back(facet_);
+    corners_ = 0;
+  }
+
+  [[nodiscard]] TriangleMesh mesh() && { return {std::move(vertices_), std::move(triangles_)}; }
+
+ private:
+  /// −0 stays −0.
+  static bool same_bits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+  PointNumbers numbers_;
+  std::vector<Vec3> vertices_;
+  std::vector<std::array<Index, 3>> triangles_;
+  std::array<Index, 3> facet_{};
+  std::size_t corners_ = 0;  ///< of the facet that is not complete
+};
 
 std::size_t announced_facets(std::span<const char> bytes) {
   return stored_value<std::uint32_t>(bytes.subspan(stl_header_size - sizeof(std::uint32_t)), std::endian::little);
@@ -61,11 +91,10 @@ class BinaryStlReader {
                            "check that the extension is that of the format"});
     const std::size_t facets = announced_facets(bytes_);
     require_size(facets);
-    std::vector<Vec3> vertices;
-    vertices.reserve(3 * facets);
+    FacetMesh mesh(facets);
     for (std::size_t facet = 0; facet < facets; ++facet)
-      for (std::size_t corner = 0; corner < 3; ++corner) vertices.push_back(read_vertex(facet, corner));
-    return mesh_of_soup(std::move(vertices));
+      for (std::size_t corner = 0; corner < 3; ++corner) mesh.add_corner(read_vertex(facet, corner));
+    return std::move(mesh).mesh();
   }
 
  private:
@@ -109,8 +138,8 @@ class AsciiStlReader {
       cursor_.next_line();
       read_facets();
     }
-    if (vertices_.empty()) fail_in_file(name_, {"there is no facet in it", "export the mesh with its faces"});
-    return mesh_of_soup(std::move(vertices_));
+    if (mesh_.corner_count() == 0) fail_in_file(name_, {"there is no facet in it", "export the mesh with its faces"});
+    return std::move(mesh_).mesh();
   }
 
  private:
@@ -138,9 +167,9 @@ class AsciiStlReader {
       const double x = cursor_.number("the x coordinate");
       const double y = cursor_.number("the y coordinate");
       const double z = cursor_.number("the z coordinate");
-      vertices_.push_back({x, y, z});
+      mesh_.add_corner({x, y, z});
     }
-    if (vertices_.size() > most_elements) cursor_.fail("there are too many facets", "split the file");
+    if (mesh_.corner_count() > most_elements) cursor_.fail("there are too many facets", "split the file");
     if (same_word(next_word(), "vertex")) cursor_.fail("a facet has more than three vertices", "export triangles only");
     expect("endloop");
     expect("endfacet");
@@ -160,7 +189,7 @@ class AsciiStlReader {
 
   std::string_view name_;
   TextCursor cursor_;
-  std::vector<Vec3> vertices_;
+  FacetMesh mesh_{0};
 };
 
 }  // namespace

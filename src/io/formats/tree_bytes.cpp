@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,11 @@ class ByteReader {
     rest_ = rest_.subspan(sizeof(T));
     return value;
   }
+  std::span<const char> take(std::size_t bytes) {
+    const auto taken = rest_.first(bytes);
+    rest_ = rest_.subspan(bytes);
+    return taken;
+  }
   Vec3 next_vector() {
     const double x = next<double>(), y = next<double>(), z = next<double>();
     return {x, y, z};
@@ -63,7 +69,14 @@ void append(std::string& bytes, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) append(bytes, v[axis]);
 }
 
+// A block's values lie in memory as they do in a file, but for their bytes' order.
+static_assert(std::is_standard_layout_v<WideBlock> && offsetof(WideBlock, count) == block_size - 4);
+
 void append(std::string& bytes, const WideBlock& block) {
+  if constexpr (std::endian::native == std::endian::little) {
+    bytes.append(reinterpret_cast<const char*>(&block), block_size);
+    return;
+  }
   for (const auto* values : {&block.centre, &block.extent})
     for (const auto& axis : *values)
       for (const float value : axis) append(bytes, value);
@@ -73,6 +86,10 @@ void append(std::string& bytes, const WideBlock& block) {
 
 WideBlock next_block(ByteReader& reader) {
   WideBlock block{};
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&block, reader.take(block_size).data(), block_size);
+    return block;
+  }
   for (auto* values : {&block.centre, &block.extent})
     for (auto& axis : *values)
       for (float& value : axis) value = reader.next<float>();

@@ -54,8 +54,7 @@ void save_tree(const Model& model, const std::string& path) {
 
 Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::string& tree) {
   if (!mesh) throw Error("a model needs a mesh, and the pointer given is null");
-  const io::FileBytes bytes = io::read_file(tree);
-  WideBvh parsed = io::parse_tree(bytes.span(), *mesh, tree);
+  WideBvh parsed = io::parse_tree(io::read_file(tree).span(), *mesh, tree);
   try {
     return Model(std::move(mesh), std::move(parsed));
   } catch (const Error& error) {

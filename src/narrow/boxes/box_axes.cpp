@@ -17,7 +17,7 @@
 // edge and one for the way between the centres. Let u = 2^-53 and |x|₁ = |x.x| + |x.y| + |x.z|. A triple product is off
 // by at most 8u |x|₁ |y|₁ |z|₁ (math/filter.hpp; underflow is absorbed by `smallest`), the way itself by 4u of all
 // sizes together, and the sum adds 4u. So the overlap along L, times |L|, is off by |x|₁ |y|₁ · 16u (sizes + |way|₁),
-// and by |L| ≤ |x|₁ |y|₁ times the bends: that is `error_`.
+// and by |L| ≤ |x|₁ |y|₁ times the bends, which are themselves off by 16u of the sizes: 32u in all make `error_`.
 //
 // Nearly parallel edges u_i and v_j make an axis whose direction is mere rounding. Seen along u_i, A' is a
 // parallelogram and B' the parallelogram of the other two half edges, grown along the image of v_j, which has the
@@ -59,7 +59,7 @@ BoxFrame box_frame(const PosedPolytope& box) {
   BoxFrame frame{corner, {0.5 * x, 0.5 * y, 0.5 * z}, 0, 0};
   frame.size = (sum_of_magnitudes(frame.half[0]) + sum_of_magnitudes(frame.half[1])) + sum_of_magnitudes(frame.half[2]);
   const double beside_most = std::max({beside(3, xy), beside(5, x + z), beside(6, y + z), beside(7, xy + z)});
-  frame.bent = 2 * beside_most + 0x1p-49 * frame.size;
+  frame.bent = 2 * beside_most;
   return frame;
 }
 
@@ -67,7 +67,7 @@ BoxAxes::BoxAxes(const PosedPolytope& a, const PosedPolytope& b) : a_(box_frame(
   const Vec3 from_corner_a = (a_.half[0] + a_.half[1]) + a_.half[2];
   const Vec3 from_corner_b = (b_.half[0] + b_.half[1]) + b_.half[2];
   way_ = (b_.corner - a_.corner) + (from_corner_b - from_corner_a);
-  error_ = 0x1p-49 * ((a_.size + b_.size) + sum_of_magnitudes(way_)) + (a_.bent + b_.bent);
+  error_ = 0x1p-48 * ((a_.size + b_.size) + sum_of_magnitudes(way_)) + (a_.bent + b_.bent);
 }
 
 bool BoxAxes::boxes_of_boxes_are_apart() const {

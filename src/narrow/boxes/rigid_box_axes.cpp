@@ -219,14 +219,15 @@ HWY_INLINE Row skews_of(const Mat3& r) {
 }
 
 /// As for boxes that were posed before, but rougher. All entries of |RᵀR − I| together are more than the greatest, and
-/// what they are off by is less than a sixteenth of them and 2^-50. No corner or centre is off by more than 32 · 2^-53
-/// of the local and the pose's coordinates that it was made of (rigid_box.cpp).
+/// what they are off by is less than a sixteenth of them and 2^-50, 16 of which make 2^-45 for the two. No corner or
+/// centre is off by more than 32 · 2^-53 of the local and the pose's coordinates that it was made of (rigid_box.cpp),
+/// of which the share of the sizes makes 2^-45 to 0x1.2p-45.
 HWY_INLINE AxesError error_of(const Pose& pose_a, const Pose& pose_b, const TwoBoxes& boxes, const Row& places) {
   const double skew = sum_of_three(skews_of(pose_a.linear) + skews_of(pose_b.linear)), sizes = sizes_of(boxes);
   const Row offsets = magnitude(load_three(pose_a.offset)) + magnitude(load_three(pose_b.offset));
-  const double slack = 0x1p-48 * (sizes + sum_of_three(places + offsets)) + 0x1p-999;
+  const double slack = 0x1p-48 * sum_of_three(places + offsets) + 0x1p-999;
   const bool is_rigid = skew < 0x1p-21 && slack < 0x1p900;
-  return {sizes, is_rigid ? (0x1p-45 + 17 * skew) * sizes + slack : HUGE_VAL};
+  return {sizes, is_rigid ? (0x1.2p-45 + 17 * skew) * sizes + slack : HUGE_VAL};
 }
 
 }  // namespace

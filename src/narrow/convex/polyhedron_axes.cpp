@@ -143,9 +143,10 @@ bool PolyhedronAxes::try_faces(const Outline& outline, double turn) {
 bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const Vec3 n = cross(e.along, f.along);
   const double length = plain_length(n), length_e = plain_length(e.along);
-  // Where the square of the length underflows nothing is known of the angle.
-  const double seen = length_e > 0x1p-500 ? length / length_e : sum_of_magnitudes(f.along);
-  const double image = seen + 0x1p-48 * body_.extent() + 4 * bent_;
+  const double size_f = sum_of_magnitudes(f.along), beside = 0x1p-48 * body_.extent() + 4 * bent_;
+  // An end of f is off by what it is itself, and by what the direction of e is off by; no image is longer than f. In
+  // this order, where the length of e underflows nothing is known of the angle.
+  const double image = std::min(size_f, (length + beside * size_f) / length_e) + beside;
   const double angle = length > 0 ? angle_error(e.along, f.along, length) : infinity;
   if (!(2 * angle * body_.extent() > image)) {
     const double side = dot(n, e.left + e.right);

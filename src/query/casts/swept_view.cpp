@@ -30,7 +30,7 @@ struct HeightsAlong {
 HeightsAlong along(const PosedMesh& mesh, const Vec3& direction) {
   const WideBvh& tree = mesh.model().wide_bvh();
   const Mat3& linear = mesh.pose().linear;
-  const Vec3 on{dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
+  const Vec3 on = transpose(linear) * direction;
   const double at_origin = dot(direction, mesh.pose().offset);
   const FormRange range = range_of(on, tree.box);
   // A box of a flat tree may be as thick as a last place of the tree's unit, and much is made of that by such a pose.
@@ -58,14 +58,15 @@ HeightsAlong along(const PosedPolytope& shape, const Vec3& direction) {
 HeightsAlong along(const PosedQuadric& shape, const Vec3& direction) {
   const Mat3& linear = shape.pose().linear;
   const Vec3& half = shape.half();
-  const double x = half.x * dot(direction, linear.column(0)), y = half.y * dot(direction, linear.column(1)),
-               z = half.z * dot(direction, linear.column(2)), middle = dot(direction, shape.pose().offset);
+  const Vec3 on = transpose(linear) * direction;
+  const double middle = dot(direction, shape.pose().offset);
   Vec3 largest = magnitudes(shape.pose().offset);
   for (int i = 0; i < 3; ++i) largest[i] += dot(magnitudes(linear[i]), half);
   HeightsAlong result;
   result.size = dot(magnitudes(direction), largest);
   result.coordinates = sum_of_magnitudes(largest) + sum_of_magnitudes(half);
-  const QuadricReach reach = with_kind(shape.kind(), [&](auto kind) { return kind.reach(x, y, z); });
+  const QuadricReach reach =
+      with_kind(shape.kind(), [&](auto kind) { return kind.reach(half.x * on.x, half.y * on.y, half.z * on.z); });
   result.whole = {middle - reach.down, middle + reach.up};
   return result;
 }

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "math/vec3_measures.hpp"
+#include "query/contacts/common_shadow.hpp"
 #include "query/contacts/region_depth.hpp"
+#include "query/contacts/region_members.hpp"
+#include "query/inside/inside_winding.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/posed_mesh_pair.hpp"
-#include "shapes/union_find.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/query/relation.hpp"
 
 namespace toccata {
 namespace {
@@ -24,9 +26,7 @@ Vec3 normal_of_any_size(const Triangle& t) {
   return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
 }
 
-/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example.
-double turn_of(const PosedMesh& mesh, bool solid) {
-  if (!solid) return 1;
+double sign_of_volume(const PosedMesh& mesh) {
   const Aabb& box = mesh.box();
   const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper, size = box.upper - middle;
   const double unit = std::max({size.x, size.y, size.z});
@@ -41,22 +41,17 @@ double turn_of(const PosedMesh& mesh, bool solid) {
   return volume < 0 ? -1 : 1;
 }
 
-/// The regions as lists of contacts, each ascending, the one with the least contact first.
-std::vector<std::vector<Index>> connected(std::span<const Contact> contacts, const VertexGraph& a,
-                                          const VertexGraph& b) {
-  std::vector<std::array<Index, 3>> uses;  // a vertex of A, a vertex of B, a contact
-  for (Index i = 0; i < contacts.size(); ++i)
-    for (const Index p : a.corners(contacts[i].triangle_a))
-      for (const Index q : b.corners(contacts[i].triangle_b)) uses.push_back({p, q, i});
-  std::sort(uses.begin(), uses.end());
-  UnionFind sets(contacts.size());
-  for (std::size_t k = 1; k < uses.size(); ++k)
-    if (uses[k][0] == uses[k - 1][0] && uses[k][1] == uses[k - 1][1]) sets.unite(uses[k][2], uses[k - 1][2]);
-  std::map<Index, std::vector<Index>> of_leader;
-  for (Index i = 0; i < contacts.size(); ++i) of_leader[sets.leader(i)].push_back(i);
-  std::vector<std::vector<Index>> regions;
-  for (auto& [leader, members] : of_leader) regions.push_back(std::move(members));
-  return regions;
+/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example. The
+/// sign of its winding number inside tells, and beside one of its triangles is the inside.
+double turn_of(const PosedMesh& mesh, bool solid, Index triangle) {
+  if (!solid) return 1;
+  constexpr double share = 0x1p-20;
+  const Triangle t = mesh.triangle(triangle);
+  const Vec3 middle = (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2];
+  const Vec3 step = share * largest_magnitude(t[1] - t[0]) * normal_of_any_size(t);
+  for (const Vec3& point : {middle - step, middle + step})
+    if (const int winding = wind_along(mesh, ExactPoint(point), 0).ahead; winding != 0) return winding < 0 ? -1 : 1;
+  return sign_of_volume(mesh);
 }
 
 /// What is added up over the contacts of a region.
@@ -134,70 +129,148 @@ std::size_t distinct_pairs(std::span<const Contact> contacts, std::span<const In
   return static_cast<std::size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
+/// What two solids have in common, as far as it hangs on their contacts.
+struct CommonPart {
+  SurfaceWithin a_in_b;
+  SurfaceWithin b_in_a;
+  std::vector<PlanePiece> cut_pieces;  ///< of the triangles in contact
+};
+
 class Regions {
  public:
-  Regions(const PosedMeshPair& pair, std::span<const Contact> contacts)
-      : pair_(pair),
+  Regions(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair,
+          std::span<const Contact> contacts, SearchScratch& scratch)
+      : a_(a),
+        b_(b),
+        query_(query),
+        pair_(pair),
         contacts_(contacts),
         graph_a_(pair.a),
         graph_b_(pair.b),
-        turn_a_(turn_of(pair.a, pair.a_solid)),
-        turn_b_(turn_of(pair.b, pair.b_solid)) {}
+        turn_a_(turn_of(pair.a, pair.a_solid, contacts.front().triangle_a)),
+        turn_b_(turn_of(pair.b, pair.b_solid, contacts.front().triangle_b)) {
+    if (!pair.a_solid || !pair.b_solid) return;
+    common_.emplace(CommonPart{SurfaceWithin(graph_a_, pair.b, contacts, ContactSide::a),
+                               SurfaceWithin(graph_b_, pair.a, contacts, ContactSide::b),
+                               {}});
+    cut_triangles();
+    depth_.emplace(a, b, query, pair, turn_a_, turn_b_, scratch);
+  }
 
-  [[nodiscard]] std::vector<ContactRegion> sorted() const {
+  [[nodiscard]] std::vector<ContactRegion> sorted() {
+    const std::vector<RegionMembers> all =
+        common_ ? regions_of_solids(contacts_, graph_a_, common_->a_in_b, graph_b_, common_->b_in_a)
+                : regions_of_surfaces(contacts_, graph_a_, graph_b_);
+    const std::vector<std::vector<PlanePiece>> cut_pieces = pieces_of_each(all);
     std::vector<ContactRegion> regions;
-    for (const std::vector<Index>& members : connected(contacts_, graph_a_, graph_b_))
-      regions.push_back(region_of(members));
-    std::stable_sort(regions.begin(), regions.end(), [](const ContactRegion& s, const ContactRegion& t) {
-      return std::pair(s.depth.value_or(0), s.area) > std::pair(t.depth.value_or(0), t.area);
+    for (std::size_t i = 0; i < all.size(); ++i) regions.push_back(region_of(all[i], cut_pieces[i]));
+    tell_touching(regions);
+    const auto depth_of = [](const ContactRegion& region) { return region.depth ? region.depth->lower : 0; };
+    std::stable_sort(regions.begin(), regions.end(), [&](const ContactRegion& s, const ContactRegion& t) {
+      return std::pair(depth_of(s), s.area) > std::pair(depth_of(t), t.area);
     });
     return regions;
   }
 
  private:
-  [[nodiscard]] ContactRegion region_of(const std::vector<Index>& members) const {
+  /// Where no depth was found, there may be none: whether the two have only their surfaces in common is exact.
+  void tell_touching(std::vector<ContactRegion>& regions) const {
+    const auto is_open = [](const ContactRegion& region) { return region.depth && region.depth->lower == 0; };
+    if (std::none_of(regions.begin(), regions.end(), is_open)) return;
+    if (relation(a_, b_, query_).kind == RelationKind::overlapping) return;
+    for (ContactRegion& region : regions) region.depth = ContactRegion::Depth{};
+  }
+
+  void cut_triangles() {
+    const TriangleCutter of_a(graph_a_, turn_a_, graph_b_, turn_b_, contacts_, ContactSide::a),
+        of_b(graph_b_, turn_b_, graph_a_, turn_a_, contacts_, ContactSide::b);
+    for (const auto& one : common_->a_in_b.in_contact()) of_a.add_pieces(common_->a_in_b, one, common_->cut_pieces);
+    for (const auto& one : common_->b_in_a.in_contact()) of_b.add_pieces(common_->b_in_a, one, common_->cut_pieces);
+  }
+
+  [[nodiscard]] std::vector<std::vector<PlanePiece>> pieces_of_each(const std::vector<RegionMembers>& regions) const {
+    std::vector<std::vector<PlanePiece>> pieces(regions.size());
+    if (!common_) return pieces;
+    std::vector<std::size_t> region_of_contact(contacts_.size());
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      for (const Index contact : regions[i].contacts) region_of_contact[contact] = i;
+    for (const PlanePiece& piece : common_->cut_pieces) pieces[region_of_contact[piece.contact]].push_back(piece);
+    return pieces;
+  }
+
+  [[nodiscard]] ContactRegion region_of(const RegionMembers& members, std::span<const PlanePiece> cut_pieces) const {
     RegionSum sum(pair_, turn_a_, turn_b_);
-    for (const Index i : members) sum.add(contacts_[i]);
+    for (const Index i : members.contacts) sum.add(contacts_[i]);
     const Outline& outline = sum.outline();
     const std::vector<Vec3> points = distinct(outline.points);
     ContactRegion region;
-    region.triangle_pairs = members.size();
+    region.triangle_pairs = members.contacts.size();
     region.face_pairs = distinct_pairs(
-        contacts_, members, [](const Contact& contact) { return std::pair(contact.face_a, contact.face_b); });
+        contacts_, members.contacts, [](const Contact& contact) { return std::pair(contact.face_a, contact.face_b); });
     region.point_count = points.size();
     region.box = fit_aabb(points);
     region.closed = is_closed(outline.ends);
+    for (const Vec3& point : points)
+      region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
     const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
     region.area = std::hypot(twice.x, twice.y, twice.z) / 2;
     region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);
-    add_depth(region, points, members);
+    if (common_) add_common_part(region, members, cut_pieces);
     return region;
   }
 
-  void add_depth(ContactRegion& region, const std::vector<Vec3>& points, const std::vector<Index>& members) const {
-    for (const Vec3& point : points)
-      region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
-    if (!pair_.a_solid || !pair_.b_solid || !(region.area > 0)) return;
-    std::vector<Index> of_a, of_b;
-    for (const Index i : members) {
-      of_a.push_back(contacts_[i].triangle_a);
-      of_b.push_back(contacts_[i].triangle_b);
+  void add_common_part(ContactRegion& region, const RegionMembers& members,
+                       std::span<const PlanePiece> cut_pieces) const {
+    const std::vector<Vec3> of_a = vertices_of(common_->a_in_b, members.pieces_of_a),
+                            of_b = vertices_of(common_->b_in_a, members.pieces_of_b);
+    for (const std::vector<Vec3>* vertices : {&of_a, &of_b})
+      for (const Vec3& vertex : *vertices) region.box = merge(region.box, vertex);
+    const FoundDepth found = depth_->within(region.box, of_a, of_b);
+    region.depth = found.bracket;
+    if (found.bracket.lower > 0) {
+      region.deepest = found.deepest.point;
+      const Vec3 across = unit_or_zero(found.deepest.on_a - found.deepest.on_b);
+      region.normal = across == Vec3{} ? unit_or_zero(found.deepest.on_a - found.deepest.point) : across;
     }
-    const auto lower = [&](const Vec3& p, const Vec3& q) { return dot(region.normal, p) < dot(region.normal, q); };
-    std::vector<Vec3> reached_by_a = graph_a_.inside(pair_.b, of_a), reached_by_b = graph_b_.inside(pair_.a, of_b);
-    reached_by_a.insert(reached_by_a.end(), points.begin(), points.end());
-    reached_by_b.insert(reached_by_b.end(), points.begin(), points.end());
-    region.deepest = *std::max_element(reached_by_a.begin(), reached_by_a.end(), lower);
-    const Vec3 farthest = *std::min_element(reached_by_b.begin(), reached_by_b.end(), lower);
-    region.depth = dot(region.normal, region.deepest - farthest);
+    region.area = shadow_area(region.normal, members, cut_pieces);
   }
 
+  [[nodiscard]] static std::vector<Vec3> vertices_of(const SurfaceWithin& within, const std::vector<Index>& pieces) {
+    std::vector<Vec3> vertices;
+    for (const Index piece : pieces) {
+      const std::vector<Vec3>& more = within.pieces()[piece].vertices;
+      vertices.insert(vertices.end(), more.begin(), more.end());
+    }
+    return vertices;
+  }
+
+  [[nodiscard]] double shadow_area(const Vec3& normal, const RegionMembers& members,
+                                   std::span<const PlanePiece> cut_pieces) const {
+    double twice = 0;
+    for (const PlanePiece& piece : cut_pieces) twice += piece.weight * std::abs(dot(normal, piece.area));
+    const auto add_inner = [&](const PosedMesh& mesh, const SurfaceWithin& within, const std::vector<Index>& pieces) {
+      for (const Index piece : pieces)
+        for (const Index triangle : within.pieces()[piece].triangles) {
+          const Triangle t = mesh.triangle(triangle);
+          twice += std::abs(dot(normal, cross(t[1] - t[0], t[2] - t[0]))) / 2;
+        }
+    };
+    add_inner(pair_.a, common_->a_in_b, members.pieces_of_a);
+    add_inner(pair_.b, common_->b_in_a, members.pieces_of_b);
+    return twice / 2;
+  }
+
+  const Model& a_;
+  const Model& b_;
+  const PairQuery& query_;
   const PosedMeshPair& pair_;
   std::span<const Contact> contacts_;
   VertexGraph graph_a_;
   VertexGraph graph_b_;
   double turn_a_;
   double turn_b_;
+  std::optional<CommonPart> common_;
+  std::optional<CommonDepth> depth_;
 };
 
 }  // namespace
@@ -215,7 +288,7 @@ std::vector<ContactRegion> contact_regions(const Model& a, const Model& b, const
   const PosedMeshPair pair(a, b, query);
   const auto contacts = surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
   if (contacts.empty()) return {};
-  return Regions(pair, contacts).sorted();
+  return Regions(a, b, query, pair, contacts, workspace.scratch()).sorted();
 }
 
 }  // namespace toccata

@@ -1,44 +1,266 @@
 #include "query/contacts/region_depth.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <tuple>
+
+#include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
+#include "query/contacts/depth_cell.hpp"
 #include "query/relation/relation_locality.hpp"
 
 namespace toccata {
+namespace {
 
-VertexGraph::VertexGraph(const PosedMesh& mesh) : mesh_(mesh), welded_(weld(mesh.model().mesh())) {
-  const std::size_t count = welded_.distinct_vertices;
-  representative_.resize(count);
-  first_.assign(count + 1, 0);
-  const auto triangles = mesh.model().mesh().triangles();
-  for (Index t = 0; t < welded_.triangles.size(); ++t)
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      representative_[welded_.triangles[t][corner]] = triangles[t][corner];
-      ++first_[welded_.triangles[t][corner] + 1];
-    }
-  for (std::size_t i = 0; i < count; ++i) first_[i + 1] += first_[i];
-  around_.resize(first_[count]);
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (Index t = 0; t < welded_.triangles.size(); ++t)
-    for (const Index corner : welded_.triangles[t]) around_[next[corner]++] = t;
+/// Of equal ones the first in space, so that the order of the solids does not show.
+bool is_deeper(const DeepestPoint& p, const DeepestPoint& q) {
+  if (p.depth != q.depth) return p.depth > q.depth;
+  return lexicographically_less(p.point, q.point);
 }
 
-std::vector<Vec3> VertexGraph::inside(const PosedMesh& solid, std::span<const Index> triangles) const {
-  std::vector<Vec3> found;
-  std::vector<char> seen(welded_.distinct_vertices);
-  std::vector<Index> waiting(triangles.begin(), triangles.end());
-  while (!waiting.empty()) {
-    const Index triangle = waiting.back();
-    waiting.pop_back();
-    for (const Index corner : welded_.triangles[triangle]) {
-      if (seen[corner] != 0) continue;
-      seen[corner] = 1;
-      const Vec3 vertex = mesh_.vertex(representative_[corner]);
-      if (!is_interior(vertex, solid)) continue;
-      found.push_back(vertex);
-      const auto around = triangles_at(corner);
-      waiting.insert(waiting.end(), around.begin(), around.end());
+double largest_coordinate(const Aabb& box) {
+  return std::max(largest_magnitude(box.lower), largest_magnitude(box.upper));
+}
+
+/// The two ways of a direction have one frame.
+Vec3 without_sign(const Vec3& direction) {
+  const double first = direction.x != 0 ? direction.x : direction.y != 0 ? direction.y : direction.z;
+  return first < 0 ? -direction : direction;
+}
+
+Vec3 shortest_axis(const Aabb& box) {
+  const Vec3 size = box.upper - box.lower;
+  if (size.x <= size.y && size.x <= size.z) return {1, 0, 0};
+  return size.y <= size.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+
+/// A box of the search, in its frame.
+struct WaitingCell {
+  double bound = 0;
+  std::size_t number = 0;
+  Vec3 lower;
+  Vec3 upper;
+  Vec3 change;  ///< how much the sum of the distances may change along each axis
+
+  /// As a heap has it: the greatest bound first, then the one that came first.
+  friend bool operator<(const WaitingCell& x, const WaitingCell& y) {
+    return std::tie(x.bound, y.number) < std::tie(y.bound, x.number);
+  }
+};
+
+class CommonDepthSearch {
+ public:
+  CommonDepthSearch(const DepthSide& a, const DepthSide& b, double size, SearchScratch& scratch)
+      : a_(a), b_(b), slack_(depth_slack * size), floor_(least_width * size), scratch_(scratch) {}
+
+  /// Some of the vertices of either inside the other.
+  void see_vertices(std::span<const Vec3> of_a, std::span<const Vec3> of_b) {
+    constexpr std::size_t most = 16;
+    const auto see_some = [&](std::span<const Vec3> vertices, const auto& see) {
+      const std::size_t step = vertices.size() / most + 1;
+      for (std::size_t i = 0; i < vertices.size(); i += step) see(vertices[i]);
+    };
+    see_some(of_a, [&](const Vec3& v) {
+      const SurfacePoint found = b_.nearest(v, scratch_);
+      see({found.lower, v, v, found.point});
+    });
+    see_some(of_b, [&](const Vec3& v) {
+      const SurfacePoint found = a_.nearest(v, scratch_);
+      see({found.lower, v, found.point, v});
+    });
+  }
+
+  void see_point(const Vec3& point) {
+    if (const auto found = at(point)) see(*found);
+  }
+
+  /// Goes from the deepest point known to where it is deeper, away from the nearer surface.
+  void climb() {
+    constexpr int most_steps = 8;
+    double step = best_.depth / 2;
+    for (int i = 0; i < most_steps && step > 0; ++i) {
+      const DeepestPoint from = best_;
+      const Vec3 out_of_a = plain_unit_or_zero(from.on_a - from.point),
+                 out_of_b = plain_unit_or_zero(from.on_b - from.point);
+      for (const Vec3& way : {plain_unit_or_zero(-out_of_a - out_of_b), -out_of_a, -out_of_b})
+        if (!(way == Vec3{})) see_point(from.point + step * way);
+      step *= best_.depth > from.depth ? 1.5 : 0.25;
     }
   }
-  return found;
+
+  enum class Until { some_point, narrow };
+
+  /// In a frame along the direction.
+  void search(const Aabb& box, const Vec3& direction, Until until) {
+    frame_ = frame_along(without_sign(direction), 0.5 * box.lower + 0.5 * box.upper);
+    waiting_ = {};
+    settled_ = 0;
+    seen_ = 0;
+    cost_ = 0;
+    wait_for(looked_into(root_around(box)));
+    while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
+      if (until == Until::some_point && best_.depth > 0) return;
+      const WaitingCell cell = waiting_.top();
+      waiting_.pop();
+      split(cell);
+    }
+    if (!waiting_.empty()) settled_ = std::max(settled_, waiting_.top().bound);
+  }
+
+  [[nodiscard]] FoundDepth found() const { return {{best_.depth, std::max(best_.depth, settled_)}, best_}; }
+  [[nodiscard]] const DeepestPoint& best() const { return best_; }
+
+ private:
+  void see(const DeepestPoint& found) {
+    if (found.depth > 0 && is_deeper(found, best_)) best_ = found;
+  }
+
+  [[nodiscard]] double narrow_enough() const { return std::max((1 + asked_precision) * best_.depth, floor_); }
+
+  [[nodiscard]] static DeepestPoint of_both(const Vec3& point, const SurfacePoint& a, const SurfacePoint& b) {
+    return {std::nextafter(a.lower + b.lower, 0.0), point, a.point, b.point};
+  }
+
+  [[nodiscard]] std::optional<DeepestPoint> at(const Vec3& point) const {
+    const DepthSide::Place in_a = a_.at(point, scratch_);
+    if (!in_a.inside) return {};
+    const DepthSide::Place in_b = b_.at(point, scratch_);
+    if (!in_b.inside) return {};
+    return of_both(point, in_a.surface, in_b.surface);
+  }
+
+  [[nodiscard]] WaitingCell root_around(const Aabb& box) const {
+    Aabb range;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 corner{(i & 1) != 0 ? box.lower.x : box.upper.x, (i & 2) != 0 ? box.lower.y : box.upper.y,
+                        (i & 4) != 0 ? box.lower.z : box.upper.z};
+      range = merge(range, frame_.inside(corner));
+    }
+    WaitingCell root;
+    root.bound = infinity;
+    root.lower = range.lower;
+    root.upper = range.upper;
+    return root;
+  }
+
+  /// Along the axis along which the sum of the distances may change most, and the longest where it hardly does.
+  void split(const WaitingCell& cell) {
+    constexpr double of_flat = 0.03;
+    int axis = 0;
+    double most = -1;
+    for (int i = 0; i < 3; ++i) {
+      const double weight = (cell.upper[i] - cell.lower[i]) * (cell.change[i] + of_flat);
+      if (weight > most) std::tie(axis, most) = std::pair(i, weight);
+    }
+    WaitingCell below = cell, above = cell;
+    below.upper[axis] = above.lower[axis] = cell.lower[axis] + (cell.upper[axis] - cell.lower[axis]) / 2;
+    wait_for(looked_into(below));
+    wait_for(looked_into(above));
+  }
+
+  [[nodiscard]] DepthCell posed(const WaitingCell& cell) const {
+    const Vec3 half = 0.5 * (cell.upper - cell.lower);
+    DepthCell result;
+    result.middle = frame_.in_world(cell.lower + half);
+    for (std::size_t i = 0; i < 8; ++i)
+      result.corners[i] = ((i & 1) != 0 ? half.x : -half.x) * frame_.axes[0] +
+                          ((i & 2) != 0 ? half.y : -half.y) * frame_.axes[1] +
+                          ((i & 4) != 0 ? half.z : -half.z) * frame_.axes[2];
+    result.radius = plain_length(half) + slack_;
+    result.axes = frame_.axes;
+    return result;
+  }
+
+  /// With its own bound, which is not more than the one it had: 0 where it has nothing in common with both.
+  [[nodiscard]] WaitingCell looked_into(WaitingCell cell) {
+    cell.number = ++seen_;
+    cost_ += cost_of_cell;
+    const double had = cell.bound;
+    cell.bound = 0;
+    const DepthCell world = posed(cell);
+    const DepthSide::Place in_a = a_.at(world.middle, scratch_);
+    DistanceBounds of_a = bounds_by_distance(a_, in_a, world, slack_);
+    if (of_a.count == 0) return cell;
+    const DepthSide::Place in_b = b_.at(world.middle, scratch_);
+    DistanceBounds of_b = bounds_by_distance(b_, in_b, world, slack_);
+    if (of_b.count == 0) return cell;
+    if (in_a.inside && in_b.inside) see(of_both(world.middle, in_a.surface, in_b.surface));
+    cell.bound = std::min(greatest_sum(of_a, of_b), had);
+    // Where the nearest surface is another one on the way through the cell, that opposite to the other solid's may
+    // tell.
+    for (const bool own : {true, false}) {
+      if (!(cell.bound > narrow_enough())) break;
+      add_bound_by_height(a_, in_a, world, own ? of_a.outwards : -of_b.outwards, slack_, of_a);
+      add_bound_by_height(b_, in_b, world, own ? of_b.outwards : -of_a.outwards, slack_, of_b);
+      cell.bound = std::min(cell.bound, greatest_sum(of_a, of_b));
+    }
+    cost_ += of_a.triangles + of_b.triangles;
+    const Vec3 slope = of_a.outwards + of_b.outwards;
+    for (int i = 0; i < 3; ++i)
+      cell.change[i] = std::abs(dot(slope, world.axes[static_cast<std::size_t>(i)])) + of_a.bend[i] + of_b.bend[i];
+    return cell;
+  }
+
+  void wait_for(const WaitingCell& cell) {
+    if (cell.bound > narrow_enough())
+      waiting_.push(cell);
+    else
+      settled_ = std::max(settled_, cell.bound);
+  }
+
+  static constexpr double asked_precision = 0.1;
+  /// What is narrower than that share of the coordinates is not looked into.
+  static constexpr double least_width = 0x1p-40;
+  /// What is looked at, in triangles, before the search ends: some tenths of a second. A press fit all around a shaft
+  /// takes about two thousand cells, what lies across two faces one or a few.
+  static constexpr std::size_t most_cost = 5'000'000, cost_of_cell = 500;
+
+  const DepthSide& a_;
+  const DepthSide& b_;
+  double slack_;
+  double floor_;
+  SearchScratch& scratch_;
+  DeepestPoint best_;
+  CellFrame frame_{};
+  std::priority_queue<WaitingCell> waiting_;
+  double settled_ = 0;  ///< the greatest bound of the cells that were left
+  std::size_t seen_ = 0;
+  std::size_t cost_ = 0;
+};
+
+}  // namespace
+
+DepthSide::DepthSide(const Model& model, const Pose& pose, const PosedMesh& mesh, double turn)
+    : search_(model, {.pose = pose}, 100), mesh_(mesh), turn_(turn) {}
+
+DepthSide::Place DepthSide::at(const Vec3& point, SearchScratch& scratch) const {
+  return {search_.nearest(point, scratch), is_interior(point, mesh_)};
+}
+
+Vec3 DepthSide::outward_normal(Index triangle) const {
+  const Triangle t = mesh_.triangle(triangle);
+  return turn_ * unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
+}
+
+CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair,
+                         double turn_a, double turn_b, SearchScratch& scratch)
+    : a_(a, query.pose_a, pair.a, turn_a),
+      b_(b, query.pose_b, pair.b, turn_b),
+      size_(std::max(largest_coordinate(pair.a.box()), largest_coordinate(pair.b.box()))),
+      scratch_(scratch) {}
+
+FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const {
+  using Until = CommonDepthSearch::Until;
+  CommonDepthSearch search(a_, b_, size_, scratch_);
+  search.see_vertices(of_a, of_b);
+  search.see_point(0.5 * box.lower + 0.5 * box.upper);
+  if (search.best().depth == 0) search.search(box, shortest_axis(box), Until::some_point);
+  search.climb();
+  const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
+  search.search(box, across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
+  return search.found();
 }
 
 }  // namespace toccata

@@ -1,34 +1,70 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
-#include "query/meshes/posed_mesh.hpp"
-#include "shapes/welded_mesh.hpp"
+#include "query/nearest/nearest_search.hpp"
+#include "query/posed_mesh_pair.hpp"
+#include "toccata/query/contacts.hpp"
 
 namespace toccata {
 
-/// A mesh as a graph: from its vertices, those of equal coordinates taken as one, to its triangles.
-class VertexGraph {
+/// A point of two closed solids and the nearest points of both surfaces. `depth` is not more than the sum of their
+/// distances; 0 where no such point is known.
+struct DeepestPoint {
+  double depth = 0;
+  Vec3 point{};
+  Vec3 on_a{};
+  Vec3 on_b{};
+};
+
+/// How deep two solids are in each other within a box.
+struct FoundDepth {
+  ContactRegion::Depth bracket;
+  DeepestPoint deepest;
+};
+
+/// A solid whose surface and inside are asked about at points and over cells.
+class DepthSide {
  public:
-  explicit VertexGraph(const PosedMesh& mesh);
+  DepthSide(const Model& model, const Pose& pose, const PosedMesh& mesh, double turn);
 
-  [[nodiscard]] const std::array<Index, 3>& corners(Index triangle) const { return welded_.triangles[triangle]; }
-
-  /// The vertices inside the solid that are connected through such with one of these triangles, in the world.
-  [[nodiscard]] std::vector<Vec3> inside(const PosedMesh& solid, std::span<const Index> triangles) const;
-
- private:
-  [[nodiscard]] std::span<const Index> triangles_at(Index vertex) const {
-    return {around_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
+  struct Place {
+    SurfacePoint surface;  ///< its nearest point
+    bool inside = false;
+  };
+  [[nodiscard]] Place at(const Vec3& point, SearchScratch& scratch) const;
+  [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const {
+    return search_.nearest(point, scratch);
   }
 
+  [[nodiscard]] const PosedMesh& mesh() const { return mesh_; }
+
+  /// Of a triangle, out of the solid.
+  [[nodiscard]] Vec3 outward_normal(Index triangle) const;
+
+ private:
+  NearestSearch search_;
   const PosedMesh& mesh_;
-  WeldedTriangles welded_;
-  std::vector<Index> representative_;  ///< a vertex of the mesh for each distinct one
-  std::vector<std::size_t> first_;     ///< of each vertex, in `around_`
-  std::vector<Index> around_;          ///< triangles
+  double turn_;
+};
+
+/// Asks how deep two solids are in each other: the greatest sum of a point's distances from the two surfaces, over the
+/// points of what they have in common (docs/methods/penetration.md#contact-regions). Branch and bound over boxes, the
+/// box with the greatest bound first.
+class CommonDepth {
+ public:
+  /// The solids' triangles turned by these signs have normals that point out. It refers to the pair.
+  CommonDepth(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair, double turn_a,
+              double turn_b, SearchScratch& scratch);
+
+  /// Of the common points in the box. `of_a` are vertices of A inside B, `of_b` such of B inside A.
+  [[nodiscard]] FoundDepth within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const;
+
+ private:
+  DepthSide a_;
+  DepthSide b_;
+  double size_;  ///< the greatest coordinate
+  SearchScratch& scratch_;
 };
 
 }  // namespace toccata

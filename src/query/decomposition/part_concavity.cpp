@@ -27,6 +27,7 @@ struct ConcavityRegion {
   RoundedTriangle near{};  ///< of the surface; local
   double upper = 0;        ///< no point of the region that is in the hull is farther from the solid
   FaceRange faces{};       ///< of the hull, those that cut off something of the region
+  double slack = 0;        ///< for what rounds on the way to it
   friend bool operator<(const ConcavityRegion& a, const ConcavityRegion& b) { return a.upper < b.upper; }
 };
 
@@ -105,8 +106,8 @@ class ConcavitySearch {
     for (Index f = 0; f < topology.face_count(); ++f) {
       const Index first = topology.face_start[f], end = topology.face_start[f + 1];
       const auto corner = [&](Index h) { return q_.frame.local(hull.vertex(topology.origin[h])); };
-      if (end - first == 2) add({{middle, corner(first), corner(first), corner(first + 1)}, {}, HUGE_VAL});
-      for (Index h = first + 2; h < end; ++h) add({{middle, corner(first), corner(h - 1), corner(h)}, {}, HUGE_VAL});
+      if (end - first == 2) begin_with({middle, corner(first), corner(first), corner(first + 1)});
+      for (Index h = first + 2; h < end; ++h) begin_with({middle, corner(first), corner(h - 1), corner(h)});
     }
   }
 
@@ -123,8 +124,12 @@ class ConcavitySearch {
         t[i] = t[i - 1];
         t[i][axes[i - 1]] = box.upper[axes[i - 1]];
       }
-      add({t, {}, HUGE_VAL, sides_->all()});
+      begin_with(t, sides_->all());
     } while (std::next_permutation(axes.begin(), axes.end()));
+  }
+
+  void begin_with(const Tetrahedron& corners, const FaceRange& faces = {}) {
+    add({corners, {}, HUGE_VAL, faces, slack_});
   }
 
   /// No region that is bounded so need be looked at further, now or later.
@@ -132,9 +137,12 @@ class ConcavitySearch {
     return upper - lower_ <= std::max(q_.resolution, fraction * lower_) || (q_.limit && upper <= *q_.limit);
   }
 
-  // The slacks are for what rounding leaves between two halves, and between a point and its place in the frame.
-  void bound(ConcavityRegion& region, double reach, double lengths) const {
-    region.upper = std::min(region.upper, reach + (slack_ + 0x1p-47 * lengths));
+  // The slacks are for what rounding leaves between a point and its place in the frame, and at each halving between
+  // the halves: a point of the hull that lies between them belongs to either. With u = 2⁻⁵³, a middle is off by less
+  // than 4 u of the largest coordinate, which is far less than the slack; but nothing else bounds what is left out by
+  // many halvings.
+  static void bound(ConcavityRegion& region, double reach, double lengths) {
+    region.upper = std::min(region.upper, reach + (region.slack + 0x1p-47 * lengths));
   }
   void bound_by_near(ConcavityRegion& region) const {
     const double reach = q_.frame.length(reach_of(region.corners, region.near));
@@ -189,7 +197,7 @@ class ConcavitySearch {
     if (found.upper > 0 && q_.sides.side_of(at, workspace_.scratch()).side == Side::inside)
       bound(region, radius - found.lower, radius + found.lower);
     else if (region.faces.count == 0 || sides_->is_behind(region.faces, at))
-      lower_ = std::max(lower_, found.lower - slack_);
+      lower_ = std::max(lower_, found.lower - region.slack);
   }
 
   void halve(const ConcavityRegion& region) {
@@ -206,6 +214,7 @@ class ConcavitySearch {
     for (const std::size_t replaced : {from, to}) {
       ConcavityRegion half = region;
       half.corners[replaced] = middle;
+      half.slack += slack_;
       add(half);
     }
   }

@@ -14,11 +14,6 @@ Vec3 of_size_one(const Vec3& v) {
   return {v.x / size, v.y / size, v.z / size};
 }
 
-/// L · R, by columns.
-Vec3 along_columns(const Vec3& direction, const Mat3& linear) {
-  return {dot(direction, linear.column(0)), dot(direction, linear.column(1)), dot(direction, linear.column(2))};
-}
-
 /// The square of the largest entry: areas grow about as much.
 double area_scale(const Mat3& linear) {
   const double size =
@@ -74,8 +69,8 @@ double PairCull::pad_of(const Vec3& world) const {
 void PairCull::add(const Vec3& world, const PosedMesh& a, const PosedMesh& b) {
   CullDirection direction;
   direction.world = world;
-  direction.on_a = along_columns(world, a.pose().linear);
-  direction.on_b = along_columns(world, b.pose().linear);
+  direction.on_a = transpose(a.pose().linear) * world;
+  direction.on_b = transpose(b.pose().linear) * world;
   direction.offset = dot(world, a.pose().offset - b.pose().offset);
   direction.pad = pad_of(world);
   const auto known = directions();

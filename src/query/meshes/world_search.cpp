@@ -8,6 +8,7 @@
 #include "math/vec3_measures.hpp"
 #include "math/world_vertex.hpp"
 #include "query/meshes/cull_bounds.hpp"
+#include "query/meshes/shaft_search.hpp"
 #include "query/meshes/wide_cull.hpp"
 #include "trees/prism_directions.hpp"
 
@@ -30,11 +31,9 @@ RegionDirection along_axis(const PosedMesh& mesh, const Aabb& region, int axis) 
 /// Along a direction in which the region lies in a range. As for two meshes, the region being the second: no coordinate
 /// of it is greater than `reach`.
 RegionDirection along(const PosedMesh& mesh, const Vec3& direction, const FormRange& region, const Vec3& reach) {
-  const Mat3& linear = mesh.pose().linear;
   const Vec3 size = magnitudes(direction);
   RegionDirection result;
-  result.on_mesh = {dot(direction, linear.column(0)), dot(direction, linear.column(1)),
-                    dot(direction, linear.column(2))};
+  result.on_mesh = transpose(mesh.pose().linear) * direction;
   result.offset = dot(direction, mesh.pose().offset);
   result.region = region;
   result.pad =
@@ -92,9 +91,8 @@ WideProbe probe_of(const PosedMesh& mesh, const Aabb& region) {
 /// normal is not.
 RegionDirection below(const PosedMesh& mesh, const PosedHalfSpace& half_space) {
   const Vec3 normal = near_unit(half_space.normal), sizes = world_sizes(mesh), local = largest_coordinates(mesh);
-  const Mat3& linear = mesh.pose().linear;
   RegionDirection result;
-  result.on_mesh = {dot(normal, linear.column(0)), dot(normal, linear.column(1)), dot(normal, linear.column(2))};
+  result.on_mesh = transpose(mesh.pose().linear) * normal;
   result.offset = dot(normal, mesh.pose().offset);
   double size = 0, rounded = 0, underflowed = 4 + ((local.x + local.y) + local.z);
   for (int k = 0; k < 3; ++k) {
@@ -131,6 +129,14 @@ WideProbe probe_of(const PosedMesh& mesh, const Triangle& triangle) {
 void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_space, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
   add_usable(below(mesh, half_space), mesh, probe);
+  walk_probe(mesh.model().wide_bvh(), probe, visit);
+}
+
+void visit_triangles_in(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit) {
+  WideProbe probe;
+  for (int i = 0; i < 3; ++i)
+    add_usable(along(mesh, shaft.directions[static_cast<std::size_t>(i)], {shaft.low[i], shaft.high[i]}, shaft.reach),
+               mesh, probe);
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 

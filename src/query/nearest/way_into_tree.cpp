@@ -30,20 +30,39 @@ WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
   origin_ = scale * tree.origin;
   const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
   const Mat3& linear = mesh.pose().linear;
-  // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
-  const double of_scale = 8 * unit_roundoff * scale * sum_of_magnitudes(rho);
+  std::array<AxisTerms, 3> terms;
   for (int i = 0; i < 3; ++i) {
     const Vec3 row = back_[i], magnitude = magnitudes(row);
     Vec3 identity;
     identity[i] = scale;
     const Vec3 error = magnitudes(row.x * linear[0] + row.y * linear[1] + row.z * linear[2] - identity);
-    const double off = 24 * unit_roundoff * dot(magnitude, sizes) + 16 * unit_roundoff * std::fabs(origin_[i]) +
-                       8 * smallest_double * sum_of_magnitudes(magnitude) + of_scale + dot(error, rho);
+    terms[static_cast<std::size_t>(i)] = {dot(magnitude, sizes), sum_of_magnitudes(magnitude), dot(error, rho)};
+  }
+  set_bounds(scale, rho, mesh.pose().offset, terms);
+}
+
+WayIntoTree::WayIntoTree(const WideBvh& tree) {
+  const double scale = 1 / tree.unit;
+  for (int i = 0; i < 3; ++i) back_[i][i] = scale;
+  for (int i = 0; i < 3; ++i) back_[i][(i + 1) % 3] = back_[i][(i + 2) % 3] = 0;
+  origin_ = scale * tree.origin;
+  // R = 1 and t = 0, by which sizes are rho, and E = 0.
+  const Vec3 rho = largest_coordinates(tree.box);
+  set_bounds(scale, rho, {}, {{{scale * rho.x, scale, 0}, {scale * rho.y, scale, 0}, {scale * rho.z, scale, 0}}});
+}
+
+void WayIntoTree::set_bounds(double scale, const Vec3& rho, const Vec3& offset, const std::array<AxisTerms, 3>& terms) {
+  // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
+  const double of_scale = 8 * unit_roundoff * scale * sum_of_magnitudes(rho);
+  for (int i = 0; i < 3; ++i) {
+    const AxisTerms& axis = terms[static_cast<std::size_t>(i)];
+    const double off = 24 * unit_roundoff * axis.row_by_sizes + 16 * unit_roundoff * std::fabs(origin_[i]) +
+                       8 * smallest_double * axis.row_sum + of_scale + axis.error_by_rho;
     if (!std::isfinite(off)) return;
     off_ = std::max(off_, 2 * off);
-    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * sum_of_magnitudes(magnitude));
+    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * axis.row_sum);
   }
-  off_ += off_by_size_ * largest_magnitude(mesh.pose().offset) + 0x1p-100;
+  off_ += off_by_size_ * largest_magnitude(offset) + 0x1p-100;
   usable_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
 }
 

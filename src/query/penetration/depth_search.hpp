@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <vector>
 
+#include "math/vec3_measures.hpp"
 #include "query/penetration/separating_seeds.hpp"
 #include "toccata/query/penetration.hpp"
 
@@ -50,6 +52,42 @@ class DepthLimit {
   double ratio_;
   double seconds_;
   Clock::time_point start_;
+};
+
+/// The bracket of a depth so far, and the ways out that are tried to make its upper end less.
+class TriedWays {
+ public:
+  /// `extent`: the greatest coordinates of both, added up.
+  TriedWays(const SeparatingQuestions& questions, const DepthLimit& limit, double extent)
+      : questions_(questions), limit_(limit), extent_(extent) {}
+
+  /// What rounding may make of the distance after a way of that length.
+  [[nodiscard]] double slack(double length) const { return separation_slack * (extent_ + length); }
+  [[nodiscard]] bool parted(const Vec3& move) const { return questions_.distance(move) > slack(plain_length(move)); }
+
+  /// Whether it is shorter than the best so far, and parts them.
+  bool attempt(const Vec3& direction, double length) {
+    if (!(length < best.upper) || direction == Vec3{} || !parted(length * direction)) return false;
+    best.upper = length;
+    best.direction = direction;
+    return true;
+  }
+
+  /// Along the best way: each step halves what is between it and the depth from below.
+  void shorten(int steps) {
+    double meeting = best.lower;
+    for (int i = 0; i < steps && best.upper < std::numeric_limits<double>::infinity() && !limit_.is_over(); ++i) {
+      const double middle = meeting + (best.upper - meeting) / 2;
+      if (!attempt(best.direction, middle)) meeting = middle;
+    }
+  }
+
+  Penetration best{.upper = std::numeric_limits<double>::infinity()};
+
+ private:
+  const SeparatingQuestions& questions_;
+  const DepthLimit& limit_;
+  double extent_;
 };
 
 }  // namespace toccata

@@ -114,12 +114,12 @@ bool body_around(const PosedModel& solid, const Vec3& point, double reach, CutBy
 
 class LocalDepth {
  public:
-  LocalDepth(const PosedModelPair& models, const SeparatingQuestions& questions, const DepthLimit& limit)
-      : models_(models), questions_(questions), limit_(limit), extent_(extent_of(models.a) + extent_of(models.b)) {}
+  LocalDepth(const PosedModelPair& models, const SeparatingQuestions& questions, const DepthLimit& limit, double extent)
+      : models_(models), limit_(limit), tried_(questions, limit, extent) {}
 
   /// Of the balls themselves.
   void know(const CommonBalls& balls) {
-    best_.lower = std::max(best_.lower, balls.depth());
+    tried_.best.lower = std::max(tried_.best.lower, balls.depth());
     ways_.push_back({plain_unit_or_zero(balls.out_of_a - balls.out_of_b), balls.depth()});
   }
 
@@ -133,7 +133,7 @@ class LocalDepth {
         continue;
       const Penetration depth = depth_between(*a, *b);
       if (!(depth.lower > 0)) continue;
-      best_.lower = std::max(best_.lower, depth.lower);
+      tried_.best.lower = std::max(tried_.best.lower, depth.lower);
       ways_.push_back({depth.direction, depth.upper});
     }
   }
@@ -141,17 +141,18 @@ class LocalDepth {
   /// Those ways that are no longer than may be of use.
   void try_ways() {
     constexpr double greatest_ratio = 2;
-    const double most = std::min(limit_.ratio(), greatest_ratio) * best_.lower;
+    constexpr int steps = 3;  // make most of what is left
+    const double lower = best().lower, most = std::min(limit_.ratio(), greatest_ratio) * lower;
     for (const Way& way : ways_) {
-      const double least = std::max(way.length, best_.lower) + 16 * slack(way.length);
+      const double least = std::max(way.length, lower) + 16 * tried_.slack(way.length);
       for (const double length : {least, std::sqrt(least) * std::sqrt(most), most})
-        if (length <= most && try_translation(way.direction, length)) break;
+        if (length <= most && tried_.attempt(way.direction, length)) break;
       if (limit_.is_over()) return;
     }
-    shorten();
+    tried_.shorten(steps);
   }
 
-  [[nodiscard]] const Penetration& best() const { return best_; }
+  [[nodiscard]] const Penetration& best() const { return tried_.best; }
 
  private:
   struct Way {
@@ -159,32 +160,9 @@ class LocalDepth {
     double length;
   };
 
-  /// Along the best way: a few tries make most of what is left.
-  void shorten() {
-    constexpr int tries = 3;
-    double meeting = best_.lower;
-    for (int i = 0; i < tries && best_.upper < infinity && !limit_.is_over(); ++i) {
-      const double middle = meeting + (best_.upper - meeting) / 2;
-      if (!try_translation(best_.direction, middle)) meeting = middle;
-    }
-  }
-
-  [[nodiscard]] double slack(double length) const { return separation_slack * (extent_ + length); }
-
-  bool try_translation(const Vec3& direction, double length) {
-    if (!(length < best_.upper) || direction == Vec3{}) return false;
-    const Vec3 move = length * direction;
-    if (!(questions_.distance(move) > slack(plain_length(move)))) return false;
-    best_.upper = length;
-    best_.direction = direction;
-    return true;
-  }
-
   const PosedModelPair& models_;
-  const SeparatingQuestions& questions_;
   const DepthLimit& limit_;
-  double extent_;
-  Penetration best_{.upper = infinity};
+  TriedWays tried_;
   std::vector<Way> ways_;
 };
 
@@ -220,8 +198,8 @@ Penetration local_depth(const Model& a, const Model& b, const PairQuery& query, 
                         const SeparatingQuestions& questions, const std::vector<SurfaceIntersection>& meeting,
                         const DepthLimit& limit, SearchScratch& scratch) {
   constexpr std::size_t most_climbs = 2;
-  LocalDepth depth(models, questions, limit);
   const double extent = extent_of(models.a) + extent_of(models.b);
+  LocalDepth depth(models, questions, limit, extent);
   if (meeting.empty() || !(extent > least_extent) || !(extent < greatest_extent)) return depth.best();
   const BallSearch search(a, b, query, scratch);
   std::optional<CommonBalls> deepest;

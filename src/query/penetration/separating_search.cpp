@@ -52,33 +52,19 @@ Vec3 unit_along(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
 SeparatingSearch::SeparatingSearch(SolidBody& a, SolidBody& b, const SeparatingQuestions& questions,
                                    const DepthLimit& limit)
-    : a_(a), b_(b), questions_(questions), limit_(limit), extent_(a.extent() + b.extent()), cover_(extent_) {}
-
-bool SeparatingSearch::parted(const Vec3& move) const {
-  return questions_.distance(move) > slack(std::sqrt(dot(move, move)));
-}
-
-bool SeparatingSearch::try_translation(const Vec3& direction, double length) {
-  if (!(length < best_.upper) || !parted(length * direction)) return false;
-  best_.upper = length;
-  best_.direction = direction;
-  return true;
-}
+    : a_(a),
+      b_(b),
+      questions_(questions),
+      limit_(limit),
+      extent_(a.extent() + b.extent()),
+      tried_(questions, limit, extent_),
+      cover_(extent_) {}
 
 void SeparatingSearch::try_along(const Vec3& direction, double length) {
   // Beyond the surface by what `parted` wants to see between the two, were they at 5 degrees to the direction.
-  if (try_translation(direction, length + 16 * slack(length))) return;
+  if (tried_.attempt(direction, length + 16 * tried_.slack(length))) return;
   for (double stretch = first_stretch; length * stretch < best_.upper && !limit_.is_over(); stretch *= stretch)
-    if (try_translation(direction, length * stretch)) return shorten(4);
-}
-
-/// Along the best direction.
-void SeparatingSearch::shorten(int steps) {
-  double separation = best_.upper, meeting = best_.lower;
-  for (int i = 0; i < steps && !limit_.is_over(); ++i) {
-    const double middle = meeting + (separation - meeting) / 2;
-    (try_translation(best_.direction, middle) ? separation : meeting) = middle;
-  }
+    if (tried_.attempt(direction, length * stretch)) return tried_.shorten(4);
 }
 
 /// Looks for a shorter way in directions around the best one.
@@ -90,7 +76,7 @@ void SeparatingSearch::turn() {
     const Vec3 other = cross(along, side);
     for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
       const Vec3 turned = unit_along(along + (angle * x) * side + (angle * y) * other);
-      if (try_translation(turned, least_gain * best_.upper)) break;
+      if (tried_.attempt(turned, least_gain * best_.upper)) break;
     }
   }
 }
@@ -122,7 +108,7 @@ std::size_t SeparatingSearch::add_parts(const Vec3& move, std::size_t most) {
 /// why not. Returns whether it is covered now.
 bool SeparatingSearch::settle(const TranslationCell& cell) {
   const double length = std::sqrt(dot(cell.centre, cell.centre));
-  if (length > 0 && try_translation((1 / length) * cell.centre, length)) return false;
+  if (length > 0 && tried_.attempt((1 / length) * cell.centre, length)) return false;
   return add_parts(cell.centre, more_seeds) > 0 && cover_.covers(cell);
 }
 
@@ -147,7 +133,7 @@ void SeparatingSearch::cover() {
 Penetration SeparatingSearch::answer(const Penetration& known) {
   best_ = penetration(a_.outer(), b_.outer());
   // The hulls part after it, in exact arithmetic; for the world doubles a little more.
-  for (double more = slack(best_.upper) + least_step; !parted(best_.upper * best_.direction); more *= 2)
+  for (double more = tried_.slack(best_.upper) + least_step; !tried_.parted(best_.upper * best_.direction); more *= 2)
     best_.upper += more;
   of_pairs_ = known.lower;
   best_.lower = std::min(known.lower, best_.upper);
@@ -162,10 +148,10 @@ Penetration SeparatingSearch::answer(const Penetration& known) {
     for (const InnerPart* b : parts_of_b)
       if (!limit_.is_over()) add({a, b});
   if (!limit_.is_over()) add_parts({}, first_seeds);
-  if (!is_done()) shorten(10);
+  if (!is_done()) tried_.shorten(10);
   if (!is_done()) cover();
   if (!is_done()) turn();
-  shorten(24);
+  tried_.shorten(24);
   return best_;
 }
 

@@ -15,12 +15,8 @@ class SeparatingSearch {
   [[nodiscard]] Penetration answer(const Penetration& known);
 
  private:
-  [[nodiscard]] double slack(double length) const { return separation_slack * (extent_ + length); }
-  [[nodiscard]] bool parted(const Vec3& move) const;
   [[nodiscard]] bool is_done() const { return limit_.is_narrow(best_) || limit_.is_over(); }
-  bool try_translation(const Vec3& direction, double length);
   void try_along(const Vec3& direction, double length);
-  void shorten(int steps);
   void turn();
   std::size_t add_parts(const Vec3& move, std::size_t most);
   void add(const InnerPair& pair);
@@ -32,10 +28,11 @@ class SeparatingSearch {
   const SeparatingQuestions& questions_;
   const DepthLimit& limit_;
   double extent_;
+  TriedWays tried_;
+  Penetration& best_ = tried_.best;
   double reach_ = 0;
   SeparatingCover cover_;
   double of_pairs_ = 0;  ///< the greatest depth of a pair of bodies
-  Penetration best_{};
 };
 
 }  // namespace toccata

@@ -8,13 +8,13 @@
 #include "math/world_vertex.hpp"
 #include "narrow/triangles/passing_rays.hpp"
 #include "query/meshes/world_search.hpp"
-#include "query/nearest/way_into_tree.hpp"
 
 // The names and bounds are those of docs/design/rays.md.
 namespace toccata {
 namespace {
 
-/// How much longer the ray is than the part; infinite where it is that by too much.
+/// How much longer the ray is than the part; infinite where it is that by too
+/// much.
 inline double per_length(double from, double to) { return to - from > 0x1p-60 ? 1 / (to - from) : HUGE_VAL; }
 
 /// A search for the first of the triangles that it is told of.
@@ -37,8 +37,9 @@ class FirstHit {
     if (time.upper == time_.upper && time_.hit && triangle_ < number) return false;
     time_ = time;
     triangle_ = number;
-    // Not less, and so that every triangle whose interval begins before this one's is told of on any way to it: the
-    // answer's lower end must not depend on the way.
+    // Not less, and so that every triangle whose interval begins before this
+    // one's is told of on any way to it: the answer's lower end must not depend
+    // on the way.
     const double part = (time.upper + widest_time - from_) * per_length_;
     limit_ = part < 1 ? static_cast<float>(std::max(part, 0.0)) + 0x1p-19F : 1;
     return true;
@@ -70,19 +71,26 @@ Aabb region_of(const PreparedRay& ray) {
 
 }  // namespace
 
-RayTarget::RayTarget(const PosedMesh& mesh)
-    : posed_(mesh), mesh_(mesh.model().mesh()), tree_(mesh.model().wide_bvh()), stands_(mesh.pose() == Pose{}) {
-  const WayIntoTree way(mesh);
-  usable_ = way.usable();
+RayTarget::RayTarget(const Model& model, const PosedMesh* posed, const WayIntoTree& way)
+    : model_(model),
+      posed_(posed),
+      mesh_(model.mesh()),
+      tree_(model.wide_bvh()),
+      usable_(way.usable()),
+      stands_(posed == nullptr || posed->pose() == Pose{}) {
   const double scale = 1 / tree_.unit;
   frame_.back = way.back();
-  frame_.offset = mesh.pose().offset;
+  if (posed != nullptr) frame_.offset = posed->pose().offset;
   frame_.origin = way.origin();
   frame_.box = {scale * tree_.box.lower - way.origin(), scale * tree_.box.upper - way.origin()};
   frame_.off = way.off_at_origin();
   frame_.off_by_size = way.off_by_size();
   frame_.has_units = tree_.unit < 0x1p1023;
 }
+
+RayTarget::RayTarget(const PosedMesh& mesh) : RayTarget(mesh.model(), &mesh, WayIntoTree(mesh)) {}
+
+RayTarget::RayTarget(const Model& standing) : RayTarget(standing, nullptr, WayIntoTree(standing.wide_bvh())) {}
 
 template <class Search>
 void RayTarget::consider(const RayCandidate& candidate, Search& search) const {
@@ -96,7 +104,7 @@ TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
   if (!usable_ || !way.known) return search_in_world(ray);
   if (way.misses()) return {};
   FirstHit hit(ray, way.from, way.to);
-  walk_rays(tree_, posed_.model().leaf_triangles_for(1), {&way.ray, 1},
+  walk_rays(tree_, model_.leaf_triangles_for(1), {&way.ray, 1},
             [&](std::size_t, std::span<const RayCandidate> candidates, bool) {
               for (const RayCandidate& one : candidates) consider(one, hit);
               return hit.limit();
@@ -133,7 +141,8 @@ struct RayTarget::Together {
   std::vector<WideRay> walking;
   std::vector<FirstHit> found;
   std::vector<std::size_t> number_of;
-  std::vector<Last> last;  ///< what is looked at when all have walked, and is asked for in the meantime
+  std::vector<Last> last;  ///< what is looked at when all have walked, and is
+                           ///< asked for in the meantime
   std::vector<PassingRay> passing;
   std::vector<PassingHit> told;
 };
@@ -149,7 +158,7 @@ void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<Tri
     all.found.emplace_back(rays[i], way.from, way.to);
     all.number_of.push_back(i);
   }
-  walk_rays(tree_, posed_.model().leaf_triangles_for(all.walking.size()), all.walking,
+  walk_rays(tree_, model_.leaf_triangles_for(all.walking.size()), all.walking,
             [&](std::size_t i, std::span<const RayCandidate> candidates, bool last) {
               if (last && candidates.size() == 1) {
                 prefetch(mesh_.triangles()[candidates[0].triangle]);
@@ -190,14 +199,15 @@ Triangle RayTarget::world_triangle(Index number) const {
   const auto& corner = mesh_.triangles()[number];
   const Vec3* vertices = mesh_.vertices().data();
   if (stands_) return {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}};
-  const Pose& pose = posed_.pose();
+  const Pose& pose = posed_->pose();
   return {{world_vertex(pose, vertices[corner[0]]), world_vertex(pose, vertices[corner[1]]),
            world_vertex(pose, vertices[corner[2]])}};
 }
 
 TriangleHit RayTarget::search_in_world(const PreparedRay& ray) const {
   FirstHit hit(ray);
-  visit_triangles_near(posed_, region_of(ray), [&](Index triangle) {
+  const PosedMesh& posed = posed_ != nullptr ? *posed_ : PosedMesh(model_, Pose{});
+  visit_triangles_near(posed, region_of(ray), [&](Index triangle) {
     hit.consider(world_triangle(triangle), triangle);
     return true;
   });

@@ -5,6 +5,7 @@
 
 #include "narrow/triangles/ray_triangle.hpp"
 #include "query/meshes/posed_mesh.hpp"
+#include "query/nearest/way_into_tree.hpp"
 #include "trees/rays_into_tree.hpp"
 
 namespace toccata {
@@ -17,11 +18,15 @@ struct TriangleHit {
   std::optional<Cast> cast{};  ///< ray_hit of it, where that is known already
 };
 
-/// A posed mesh that rays are cast at, and what is the same for all of them (docs/design/rays.md). The mesh must
-/// outlive it.
+/// A posed mesh that rays are cast at, and what is the same for all of them
+/// (docs/design/rays.md). The mesh must outlive it.
 class RayTarget {
  public:
   explicit RayTarget(const PosedMesh& mesh);
+
+  /// A mesh at the identity, which is not posed where it need not be. The model
+  /// must outlive it.
+  explicit RayTarget(const Model& standing);
 
   /// Of a ray at the surface. That there is none is proved.
   [[nodiscard]] TriangleHit first_hit(const PreparedRay& ray) const;
@@ -31,7 +36,8 @@ class RayTarget {
   [[nodiscard]] Triangle world_triangle(Index number) const;
 
  private:
-  /// So many rays are searched for with the memory of one search, which stays near.
+  /// So many rays are searched for with the memory of one search, which stays
+  /// near.
   static constexpr std::size_t together = 256;
   void search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
   struct Together;
@@ -41,7 +47,10 @@ class RayTarget {
   void consider(const RayCandidate& candidate, Search& search) const;
   [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
 
-  const PosedMesh& posed_;
+  RayTarget(const Model& model, const PosedMesh* posed, const WayIntoTree& way);
+
+  const Model& model_;
+  const PosedMesh* posed_;  ///< none at the identity
   const TriangleMesh& mesh_;
   const WideBvh& tree_;
   RayFrame frame_;

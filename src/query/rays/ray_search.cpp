@@ -8,6 +8,7 @@
 
 #include "query/keep_least.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
@@ -35,10 +36,10 @@ RayHit hit_at_start(const PreparedRay& ray) {
   return hit;
 }
 
-RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray,
+RayHit hit_of_surface(const TriangleMesh& mesh, const RayTarget& search, const PreparedRay& ray,
                       const TriangleHit& found) {
   if (!found.time.hit) return {};
-  const Index face = target.mesh.model().mesh().face_of(found.triangle);
+  const Index face = mesh.face_of(found.triangle);
   const Cast cast = found.cast ? *found.cast : ray_hit(ray, search.world_triangle(found.triangle), found.time);
   RayHit hit = numbered(cast, found.triangle, face);
   hit.lower = found.lower;
@@ -46,8 +47,19 @@ RayHit hit_of_surface(const PosedTriangles& target, const RayTarget& search, con
 }
 
 RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
-  return starts_inside(target, ray.origin) ? hit_at_start(ray)
-                                           : hit_of_surface(target, search, ray, search.first_hit(ray));
+  return starts_inside(target, ray.origin)
+             ? hit_at_start(ray)
+             : hit_of_surface(target.mesh.model().mesh(), search, ray, search.first_hit(ray));
+}
+
+/// At a mesh at the identity: it is posed for what begins in its box alone.
+RayHit hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray) {
+  const bool as_solid = taken_as_solid(target, Pose{}, solid, name_of_target);
+  if (as_solid && overlap(target.wide_bvh().box, Aabb{ray.origin, ray.origin}) &&
+      is_interior(ray.origin, PosedMesh(target, Pose{}, name_of_target)))
+    return hit_at_start(ray);
+  const RayTarget search(target);
+  return hit_of_surface(target.mesh(), search, ray, search.first_hit(ray));
 }
 
 /// Of many rays at one mesh.
@@ -56,8 +68,9 @@ void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<co
   std::vector<TriangleHit> found(rays.size());
   search.first_hits(rays, found);
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = starts_inside(target, rays[i].origin) ? hit_at_start(rays[i])
-                                                    : hit_of_surface(target, search, rays[i], found[i]);
+    hits[i] = starts_inside(target, rays[i].origin)
+                  ? hit_at_start(rays[i])
+                  : hit_of_surface(target.mesh.model().mesh(), search, rays[i], found[i]);
 }
 
 void require_answered(ShapeKind target) {
@@ -108,6 +121,7 @@ RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const Pre
 
 RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
   if (!target.has_mesh()) return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
+  if (pose == Pose{}) return hit_of_standing(target, solid, PreparedRay(origin, motion));
   // The same without lists of one.
   const PosedShape posed = pose_shape(target, pose, solid, name_of_target);
   require_answered(kind_of(target.shape()));

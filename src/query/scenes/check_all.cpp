@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +18,7 @@
 #include "query/posed_shape.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "query/scenes/candidate_pairs.hpp"
+#include "query/scenes/check_wanted.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "query/scenes/task_reporter.hpp"
 #include "query/workspace_pool.hpp"
@@ -88,19 +91,33 @@ class Clearances {
 
 class Check {
  public:
-  Check(std::span<const SceneInstance> models, const CheckOptions& options)
+  Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted)
       : models_(models),
         options_(options),
+        wanted_(wanted),
         clearances_(models, options),
         posed_(posed_model_pair()),
         groups_(group_numbers()) {}
 
-  CheckAnswer answer() {
+  WantedAnswer answer() {
     const std::vector<Aabb> boxes = world_boxes();
     const std::vector<IndexPair> others = near_pairs_with_own_clearance(boxes);
     const std::vector<Aabb> offset_boxes = offset_by_half(boxes, clearances_.common());
-    CandidatePairs candidates(
-        offset_boxes, [&](const IndexPair& pair) { return is_wanted(pair); }, others, options_.threads);
+    std::atomic<std::size_t> left_out = 0;
+    bool is_counting = true;  // while the candidates are: then each pair is asked about once
+    const PairFilter is_candidate = [&](const IndexPair& pair) {
+      if (!is_checked(pair)) return false;
+      if (!wanted_ || wanted_(pair)) return true;
+      if (is_counting) left_out.fetch_add(1, std::memory_order_relaxed);
+      return false;
+    };
+    CandidatePairs candidates(offset_boxes, is_candidate, others, options_.threads);
+    is_counting = false;
+    return {answer_of(candidates), left_out};
+  }
+
+ private:
+  [[nodiscard]] CheckAnswer answer_of(CandidatePairs& candidates) const {
     CheckAnswer answer;
     answer.candidate_pairs = candidates.count();
     TaskReporter reporter(options_.progress, answer.candidate_pairs);
@@ -113,7 +130,6 @@ class Check {
     return answer;
   }
 
- private:
   /// Looks at every model alone, wherever it is: what is asked wrongly is an error, also far from everything else.
   [[nodiscard]] std::vector<PosedModel> posed_model_pair() const {
     std::vector<PosedModel> made(models_.size());
@@ -157,8 +173,8 @@ class Check {
     return pairs;
   }
 
-  /// By the clearance of all.
-  [[nodiscard]] bool is_wanted(const IndexPair& pair) const {
+  /// By the clearance of all, if it is wanted.
+  [[nodiscard]] bool is_checked(const IndexPair& pair) const {
     const bool share_group = groups_[pair.first] != 0 && groups_[pair.first] == groups_[pair.second];
     return !share_group && !clearances_.of_pairs().contains({pair.first, pair.second});
   }
@@ -267,6 +283,7 @@ class Check {
 
   std::span<const SceneInstance> models_;
   const CheckOptions& options_;
+  const PairFilter& wanted_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
@@ -276,8 +293,13 @@ class Check {
 }  // namespace
 
 CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions& options) {
+  return check_wanted(models, options, {}).answer;
+}
+
+WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
+                          const PairFilter& wanted) {
   require_usable(options.depth);
-  return Check(models, options).answer();
+  return Check(models, options, wanted).answer();
 }
 
 }  // namespace toccata

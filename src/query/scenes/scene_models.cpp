@@ -1,4 +1,4 @@
-#include "toccata/query/check_all.hpp"
+#include "query/scenes/scene_models.hpp"
 
 #include <map>
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace toccata {
 
-std::vector<SceneInstance> scene_models(const Scene& scene, int threads) {
+std::vector<SceneInstance> scene_models_by(const Scene& scene, int threads,
+                                           FunctionRef<Model(const Shape& shape, int threads)> make) {
   // Objects that share a mesh share its model and its trees.
   std::map<std::pair<const TriangleMesh*, std::size_t>, std::size_t> slot_of;
   std::vector<std::size_t> slots;
@@ -22,8 +23,10 @@ std::vector<SceneInstance> scene_models(const Scene& scene, int threads) {
     slots.push_back(slot);
   }
 
+  // Few models are built on several threads each: one may be far larger than the others.
+  const int of_each = shapes.size() < 2 * static_cast<std::size_t>(thread_count(threads)) ? threads : own_thread;
   std::vector<std::optional<Model>> models(shapes.size());
-  parallel_for(shapes.size(), threads, [&](std::size_t i) { models[i].emplace(*shapes[i]); });
+  parallel_for(shapes.size(), threads, [&](std::size_t i) { models[i].emplace(make(*shapes[i], of_each)); });
 
   std::vector<SceneInstance> posed;
   posed.reserve(scene.objects.size());
@@ -32,6 +35,10 @@ std::vector<SceneInstance> scene_models(const Scene& scene, int threads) {
     posed.push_back({*models[slots[i]], object.pose, object.solid, object.name, object.group});
   }
   return posed;
+}
+
+std::vector<SceneInstance> scene_models(const Scene& scene, int threads) {
+  return scene_models_by(scene, threads, [](const Shape& shape, int of_each) { return Model(shape, of_each); });
 }
 
 }  // namespace toccata

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bounds/box_bounds.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/subdivision/level_triangles.hpp"
 #include "toccata/bounds/aabb.hpp"
@@ -21,12 +22,7 @@ constexpr double inside_witness_share = 1e-11;
 /// Deeper than this doubles do not resolve what is near a vertex.
 constexpr int deepest_around_vertex = 60;
 
-double gap_to_box(const Vec3& p, const Aabb& box) {
-  Vec3 off;
-  for (int axis = 0; axis < 3; ++axis)
-    off[axis] = std::max({0.0, box.lower[axis] - p[axis], p[axis] - box.upper[axis]});
-  return length(off);
-}
+double gap_to_box(const Vec3& p, const Aabb& box) { return box_gap({p, p}, box); }
 
 /// From any of the points to the box of the face's corners.
 double least_gap(const LevelMesh& mesh, Index face, std::span<const RoughPoint> points) {

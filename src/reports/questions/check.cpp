@@ -6,7 +6,11 @@
 #include <string_view>
 
 #include "io/formats/utf8.hpp"
+#include "query/scenes/check_wanted.hpp"
+#include "reports/baseline.hpp"
 #include "reports/glb/glb_findings.hpp"
+#include "reports/name_rules.hpp"
+#include "reports/pair_order.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
 #include "reports/view/finding_layers.hpp"
@@ -43,6 +47,27 @@ void add_clearances(io::Json& json, const Scene& scene, const CheckReport& repor
   for (const PairClearance& pair : report.pair_clearances) pairs.push_back(json_of(pair, scene));
 }
 
+/// What has become of the baseline, where there is one.
+void add_baseline(io::Json& json, const CheckReport& report) {
+  if (!report.baseline) return;
+  io::Json& baseline = json["baseline"] = {{"file", io::as_utf8(*report.baseline)}};
+  for (const Since since : {Since::added, Since::known, Since::graver})
+    baseline[name_of(since)] = std::count_if(report.pairs.begin(), report.pairs.end(),
+                                             [&](const ReportedPair& pair) { return since_baseline(pair) == since; });
+  io::Json& gone = baseline["gone"] = io::Json::array();
+  for (const GonePair& pair : report.gone) {
+    gone.push_back(io::json_of(pair.was));
+    gone.back()["reason"] = name_of(pair.reason);
+  }
+}
+
+/// How a pair stands against the baseline; with what it was, where that was something else.
+void add_since(io::Json& line, const ReportedPair& pair) {
+  line["baseline"] = name_of(since_baseline(pair));
+  if (pair.was && (pair.was->kind != pair.relation.kind || pair.was->containment != pair.relation.containment))
+    line["was"] = {{"relation", name_of(pair.was->kind)}, {"containment", name_of(pair.was->containment)}};
+}
+
 /// A line, and where the report has faces one more for each pair of them.
 std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckReport& report) {
   const std::string first = io::as_utf8(scene.objects[pair.a].name), second = io::as_utf8(scene.objects[pair.b].name);
@@ -54,6 +79,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
                    {"containment", name_of(pair.relation.containment)},
                    {"side_unresolved", pair.relation.side_unresolved},
                    {"status", name_of(pair.relation.status)}};
+  if (report.baseline) add_since(line, pair);
   if (report.has_penetration) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration, pair.depth_end) : io::Json();
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : io::Json();
@@ -77,9 +103,10 @@ std::string csv_names(const Scene& scene, const ReportedPair& pair) {
 /// The end of a line: what is told of pairs besides, where it is.
 std::string csv_end_names(const CheckReport& report) {
   std::string names = io::csv_penetration_head(report.has_penetration);
-  if (!report.clearance) return names;
   names.pop_back();
-  for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
+  if (report.clearance)
+    for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
+  if (report.baseline) names += ",baseline,was_relation,was_containment";
   return names + "\n";
 }
 
@@ -88,9 +115,14 @@ std::string csv_of_distance(const ReportedPair& pair) {
   return pair.distance ? io::csv_of(*pair.distance) : std::string(distance_fields.size(), ',');
 }
 
+std::string csv_of_baseline(const ReportedPair& pair) {
+  const std::string was = pair.was ? name_of(pair.was->kind) + "," + name_of(pair.was->containment) : ",";
+  return "," + name_of(since_baseline(pair)) + "," + was;
+}
+
 std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
-  return (report.has_penetration ? io::csv_of(pair.penetration) : "") +
-         (report.clearance ? csv_of_distance(pair) : "") + "\n";
+  return (report.has_penetration ? io::csv_of(pair.penetration, pair.depth_end) : "") +
+         (report.clearance ? csv_of_distance(pair) : "") + (report.baseline ? csv_of_baseline(pair) : "") + "\n";
 }
 
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
@@ -117,6 +149,46 @@ std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
   return csv;
 }
 
+io::Json json_of(const std::vector<std::string>& patterns) {
+  io::Json list = io::Json::array();
+  for (const std::string& pattern : patterns) list.push_back(io::as_utf8(pattern));
+  return list;
+}
+
+io::Json json_of(const std::vector<NameRule>& rules) {
+  io::Json list = io::Json::array();
+  for (const NameRule& rule : rules) list.push_back({{"a", json_of(rule.a)}, {"b", json_of(rule.b)}});
+  return list;
+}
+
+std::vector<std::string> patterns_of(const io::JsonValue& list) {
+  std::vector<std::string> patterns;
+  for (const io::JsonValue& pattern : list.elements()) patterns.push_back(pattern.text());
+  return patterns;
+}
+
+std::vector<NameRule> rules_of(const io::JsonValue& question, const char* key) {
+  std::vector<NameRule> rules;
+  for (const io::JsonValue& rule : question.elements(key)) {
+    rule.expect_keys({"a", "b"});
+    rules.push_back({patterns_of(rule.at("a")), patterns_of(rule.at("b"))});
+  }
+  return rules;
+}
+
+/// What the rules leave out has no clearance, as what is of one group has none.
+void require_wanted(std::span<const PairClearance> clearances, const PairFilter& wanted,
+                    std::span<const SceneInstance> models) {
+  for (const PairClearance& pair : clearances) {
+    const auto [first, second] = std::minmax(pair.a, pair.b);
+    if (!wanted || second >= models.size() || first == second || wanted({first, second})) continue;
+    throw Error(
+        fmt::format("a clearance is asked for \"{}\" and \"{}\", which the rules leave out: leave out the one or "
+                    "the other",
+                    models[first].name, models[second].name));
+  }
+}
+
 struct CheckKind {
   using Question = CheckQuestion;
   using Report = CheckReport;
@@ -129,17 +201,22 @@ struct CheckKind {
     for (const PairClearance& pair : q.pair_clearances)
       json["pair_clearances"].push_back(
           {{"a_index", pair.a}, {"b_index", pair.b}, {"clearance", io::json_of_length(pair.clearance)}});
+    if (!q.rules.between.empty()) json["between"] = json_of(q.rules.between);
+    if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
+    if (q.order == PairOrder::severity) json["sort"] = "severity";
+    if (q.baseline) json["baseline"] = io::json_of(*q.baseline);
     return json;
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys(
-        {"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance", "pair_clearances"});
+    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
+                       "pair_clearances", "between", "ignore", "sort", "baseline"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
     q.penetration = value.flag_or("penetration", false);
-    if (q.penetration) q.depth = io::depth_options_of(value);
+    const DepthOptions depth = io::depth_options_of(value);
+    if (q.penetration) q.depth = depth;
     if (value.has("clearance")) q.clearance = io::length_of(value.at("clearance"));
     constexpr std::size_t most = std::numeric_limits<Index>::max();
     for (const io::JsonValue& pair : value.elements("pair_clearances")) {
@@ -148,6 +225,9 @@ struct CheckKind {
                                    static_cast<Index>(pair.at("b_index").whole(most)),
                                    io::length_of(pair.at("clearance"))});
     }
+    q.rules = {rules_of(value, "between"), rules_of(value, "ignore")};
+    q.order = io::pair_order_of(value);
+    if (value.has("baseline")) q.baseline = io::baseline_of(value.at("baseline"));
     return q;
   }
 
@@ -160,14 +240,23 @@ struct CheckKind {
     options.pair_clearances = question.pair_clearances;
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
-    return make_check_report(asking.models, check_all(asking.models, options), question);
+    const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
+    require_wanted(question.pair_clearances, wanted, asking.models);
+    const WantedAnswer found = check_wanted(asking.models, options, wanted);
+    CheckReport report = make_check_report(asking.models, found.answer, question);
+    if (wanted) report.left_out = found.left_out;
+    if (question.baseline) io::compare_with(*question.baseline, {asking.models, wanted, found.answer}, report);
+    if (question.order == PairOrder::severity) io::sort_by_severity(report.pairs);
+    return report;
   }
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
+    if (report.left_out) json["left_out"] = *report.left_out;
     add_clearances(json, reporting.scene, report);
+    add_baseline(json, report);
     return io::with_list(document(json), "pairs", report.pairs.size(),
                          [&](std::size_t i) { return text_of(report.pairs[i], reporting.scene, report); });
   }

@@ -55,7 +55,8 @@ struct CheckPosesKind {
     value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "poses", "solid"});
     CheckPosesQuestion q{io::queries_read_from(value), io::touching_of(value), value.flag_or("faces", false),
                          value.flag_or("penetration", false)};
-    if (q.penetration) q.depth = io::depth_options_of(value);
+    const DepthOptions depth = io::depth_options_of(value);
+    if (q.penetration) q.depth = depth;
     return q;
   }
 
@@ -95,7 +96,7 @@ struct CheckPosesKind {
           fmt::format("{},{},{},{},{},{}", i, name_of(relation.kind), name_of(relation.containment),
                       relation.side_unresolved, name_of(relation.status), counts_as_contact(relation, report.touching));
       csv += has_faces ? fmt::format(",{}", report.counts[i].face_pairs) : "";
-      csv += has_penetration ? io::csv_of(report.penetrations[i]) + "\n" : "\n";
+      csv += has_penetration ? io::csv_of(report.penetrations[i], report.depth_ends[i]) + "\n" : "\n";
     }
     return csv;
   }

@@ -126,6 +126,7 @@ class OneStep {
       const auto below = walk_.put_down(end.position, wanted);
       if (below) {
         end.position = below->position;
+        end.cut_short = end.cut_short || below->cut_short;
         ground = below->ground;
         end.contacts.insert(end.contacts.end(), below->contacts.begin(), below->contacts.end() - 1);
       }

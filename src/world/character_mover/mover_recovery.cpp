@@ -89,8 +89,9 @@ RecoveredPlace MoverWalk::recovered(const Vec3& position, const SearchedObjects&
   const double pushed = length(place.position - position);
   if (near.empty() && pushed > around_.body().size())
     if (const auto nearer = nearer_place(position, pushed)) place.position = *nearer;
-  place.stuck = are_overlapping(near) || around_.holder_of(place.position).has_value();
-  place.tight = !near.empty();
+  const bool is_held = around_.holder_of(place.position).has_value();
+  place.stuck = are_overlapping(near) || is_held;
+  place.tight = !near.empty() || is_held;
   return place;
 }
 

@@ -83,10 +83,10 @@ std::optional<SlideEnd> MoverWalk::put_down(const Vec3& position, const Vec3& mo
   return {};
 }
 
-std::optional<Vec3> MoverWalk::stopped(const Vec3& position, const Vec3& motion) {
+std::optional<MoverWalk::Stop> MoverWalk::stopped(const Vec3& position, const Vec3& motion) {
   const std::optional<MoverMeeting> met = around_.first_meeting(position, motion);
   if (!met) return {};
-  return position + time_at_skin(*met, motion) * motion;
+  return Stop{position + time_at_skin(*met, motion) * motion, met->is_proved};
 }
 
 /// On the edge of something that could be walked on, no higher above the lowest point than a step: so stairs are ground
@@ -114,24 +114,34 @@ std::optional<WalkContact> MoverWalk::ground_at(const Vec3& position) {
   return ground;
 }
 
-std::optional<SlideEnd> MoverWalk::step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat) {
+MoverWalk::TriedStep MoverWalk::tried_step(const Vec3& position, const Vec3& motion, const SlideEnd& flat) {
   const Vec3& up = setting_.up;
   const double skin = setting_.skin;
   const Vec3 rise = setting_.step_height * up;
-  const Vec3 top = stopped(position, rise).value_or(position + rise);
-  const double risen = dot(top - position, up);
-  if (!(risen > skin)) return {};
-  SlideEnd end = slide(top, motion, Footing::walking);
+  const Stop top = stopped(position, rise).value_or(Stop{position + rise});
+  const double risen = dot(top.position - position, up);
+  if (!(risen > skin)) return {.is_step = false, .end = {.position = position, .cut_short = !top.is_proved}};
+  TriedStep tried{.is_step = false, .end = slide(top.position, motion, Footing::walking)};
+  SlideEnd& end = tried.end;
+  end.cut_short = end.cut_short || !top.is_proved;
   const double ahead = dot(end.position - flat.position, motion);
-  if (!(ahead > 0x1p-8 * skin * length(motion))) return {};
+  if (!(ahead > 0x1p-8 * skin * length(motion))) return tried;
   const auto landing = stopped(end.position, -(dot(end.position - position, up) + skin) * up);
-  if (!landing) return {};
-  end.position = *landing;
+  if (!landing) return tried;
+  end.position = landing->position;
+  end.cut_short = end.cut_short || !landing->is_proved;
   end.ground = ground_at(end.position);
   // What it stands on is the skin below it; a step may be as high as that is exact.
   const double floor = dot(position, up) - depth_below_ - skin;
-  const bool is_step = end.ground && dot(end.ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
-  return is_step ? std::optional(end) : std::nullopt;
+  tried.is_step = end.ground && dot(end.ground->point, up) - floor <= setting_.step_height + 0.25 * skin;
+  return tried;
+}
+
+std::optional<SlideEnd> MoverWalk::step_up(const Vec3& position, const Vec3& motion, SlideEnd& flat) {
+  TriedStep tried = tried_step(position, motion, flat);
+  if (tried.is_step) return std::move(tried.end);
+  flat.cut_short = flat.cut_short || tried.end.cut_short;
+  return {};
 }
 
 }  // namespace toccata

@@ -36,7 +36,7 @@ struct WalkContact {
 /// Where a way ended that slides along what it meets.
 struct SlideEnd {
   Vec3 position;
-  std::vector<WalkContact> contacts;
+  std::vector<WalkContact> contacts{};
   bool cut_short = false;               ///< it was not proved that it goes no farther
   std::optional<WalkContact> ground{};  ///< what it stands on there, if that was asked and is something
 };
@@ -64,8 +64,9 @@ class MoverWalk {
   [[nodiscard]] SlideEnd slide(const Vec3& position, const Vec3& wanted, Footing footing,
                                std::optional<Index> without = {});
 
-  /// Up, on and down again, where that leads farther on than `flat`; the motion is level.
-  [[nodiscard]] std::optional<SlideEnd> step_up(const Vec3& position, const Vec3& motion, const SlideEnd& flat);
+  /// Up, on and down again, where that leads farther on than `flat`; the motion is level. Where it does not, and what
+  /// was in the way is not proved to be, `flat` is cut short.
+  [[nodiscard]] std::optional<SlideEnd> step_up(const Vec3& position, const Vec3& motion, SlideEnd& flat);
 
   /// Down onto ground no more than `snap_distance` below, after a level motion. What is too steep to be ground may lead
   /// it aside on the way, but not on, and no farther than the motion is long; the last of the contacts is the ground.
@@ -74,8 +75,14 @@ class MoverWalk {
   /// What the body stands on, where it is.
   [[nodiscard]] std::optional<WalkContact> ground_at(const Vec3& position);
 
+  /// Where something is met.
+  struct Stop {
+    Vec3 position;
+    bool is_proved = true;  ///< that it goes no farther
+  };
+
   /// Straight on until the skin of what is met; none if nothing is.
-  [[nodiscard]] std::optional<Vec3> stopped(const Vec3& position, const Vec3& motion);
+  [[nodiscard]] std::optional<Stop> stopped(const Vec3& position, const Vec3& motion);
 
   [[nodiscard]] bool is_walkable(const Vec3& normal) const { return dot(normal, setting_.up) >= setting_.level_cosine; }
 
@@ -94,6 +101,13 @@ class MoverWalk {
     std::vector<Plane> planes{};
   };
 
+  /// Up, on and down, and whether that is a step.
+  struct TriedStep {
+    bool is_step;
+    SlideEnd end;
+  };
+
+  [[nodiscard]] TriedStep tried_step(const Vec3& position, const Vec3& motion, const SlideEnd& flat);
   [[nodiscard]] bool goes_on(Sliding& way, std::optional<Index> without = {});
   [[nodiscard]] Vec3 allowed(const Vec3& wanted, std::span<const Plane> planes, Footing footing) const;
   [[nodiscard]] double time_at_skin(const MoverMeeting& met, const Vec3& motion) const;

@@ -278,7 +278,7 @@ double QuadricCap::proved_height(double tangent, double least) {
   double lower = 0;
   const auto prove = [&](double height) {
     // The axis is of length 1 but for rounding, and x lies across it but for that.
-    lower = height * (1 - 0x1p-49) - loss_within(tangent * (1 + rounding_of_sums), least);
+    lower = height * (1 - rounding_of_sums) - loss_within(tangent * (1 + rounding_of_sums), least);
     return lower * (1 - 0x1p-50) >= least;
   };
   if (!prove(refined<BoundedDouble>())) prove(refined<BoundedNumber>());

@@ -54,9 +54,10 @@ std::vector<Piece> whole(std::size_t dimensions) {
 class OffsetSearch {
  public:
   OffsetSearch(const QuadricBody& held, const PosedPolytope& core, double radius)
-      : held_(held), core_(core), radius_(radius), slack_(0x1p-49 * (1 + radius)) {
-    for (Index i = 0; i < core.vertex_count(); ++i)
-      slack_ = std::fmax(slack_, 0x1p-49 * (largest_magnitude(core.vertex(i)) + radius));
+      : held_(held), core_(core), radius_(radius) {
+    double largest = 1;
+    for (Index i = 0; i < core.vertex_count(); ++i) largest = std::fmax(largest, largest_magnitude(core.vertex(i)));
+    slack_ = 0x1p-49 * (largest + radius);
   }
 
   [[nodiscard]] Within found() {
@@ -106,7 +107,7 @@ class OffsetSearch {
   const QuadricBody& held_;
   const PosedPolytope& core_;
   double radius_;
-  double slack_;
+  double slack_ = 0;
   int seen_ = 0;
 };
 

@@ -1,0 +1,246 @@
+#include "check_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <system_error>
+
+#include "option_kinds.hpp"
+#include "toccata/core/error.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  std::size_t end = text.find_last_not_of(blanks) + 1;
+  if (text[end - 1] == '\\' && end < text.size()) ++end;  // "\ " is a blank of the name
+  return text.substr(first, end - first);
+}
+
+/// Where the sign is for the first time that no backslash is before it.
+std::size_t find_plain(std::string_view text, char sign) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == sign) return i;
+    if (text[i] == '\\') ++i;
+  }
+  return std::string_view::npos;
+}
+
+/// The words between commas.
+std::vector<std::string> listed(std::string_view text) {
+  std::vector<std::string> words;
+  for (;;) {
+    const std::size_t comma = find_plain(text, ',');
+    words.emplace_back(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return words;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// The whole file, which may be empty.
+std::string text_in(const std::string& file) {
+  const auto refuse = [&](int error) {
+    throw Error(fmt::format("{}: the rules cannot be read: {}", file, std::generic_category().message(error)));
+  };
+  if (std::filesystem::is_directory(file)) refuse(EISDIR);
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse(errno);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Reads rules, and warns of what is about no object.
+class RuleReader {
+ public:
+  RuleReader(const Scene& scene, std::vector<std::string>& warnings) : warnings_(warnings) {
+    for (const SceneObject& object : scene.objects) {
+      places_.emplace(object.name, names_.size());
+      names_.push_back(object.name);
+    }
+  }
+
+  void read_file(const std::string& file) {
+    const std::string text = text_in(file);
+    std::string_view rest = text;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    bool holds_any = false;
+    for (std::size_t line = 1; !rest.empty(); ++line) {
+      const std::string_view whole = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(std::min(rest.size(), whole.size() + 1));
+      const std::string_view content = trimmed(whole);
+      if (content.empty() || content[0] == '#') continue;
+      holds_any = true;
+      read_line(content, fmt::format("{}:{}", file, line));
+    }
+    if (!holds_any) warnings_.push_back(file + " holds no rule");
+  }
+
+  /// `text` is what follows the word "ignore" or "between".
+  void add_rule(std::vector<NameRule>& rules, std::string_view text, const std::string& place) {
+    const std::vector<std::string> words = listed(text);
+    const bool is_empty = std::find(words.begin(), words.end(), "") != words.end();
+    if (words.size() > 2 || is_empty)
+      throw Error(
+          fmt::format("{}: a rule is about one pattern or set, or two with a comma between them, and here is '{}'; a "
+                      "comma of a name is written \\,",
+                      place, text));
+    const std::string &first = words[0], second = words.size() == 2 ? words[1] : "*";
+    NameRule rule{patterns_of(first), patterns_of(second)};
+    const Members a = members_of(first, rule.a, place), b = first == second ? a : members_of(second, rule.b, place);
+    const bool is_of_one = a.one && a.is_single && b.is_single && a.one == b.one;
+    if (is_of_one) warnings_.push_back(fmt::format("{}: '{}' is a single object, and no pair", place, names_[*a.one]));
+    has_pairs_ = has_pairs_ || (&rules == &rules_.between && a.one && b.one && !is_of_one);
+    rules.push_back(std::move(rule));
+  }
+
+  NameRules& rules() { return rules_; }
+
+  /// Throws Error where only pairs of some sets are to be checked, and there are none.
+  void require_pairs() const {
+    if (!rules_.between.empty() && !has_pairs_)
+      throw Error("nothing would be checked: no two objects are a pair of a rule `between`; `" + called_as() +
+                  " inspect FILE` tells the names of the objects");
+  }
+
+ private:
+  struct Set {
+    std::vector<std::string> patterns;
+    std::string place;
+  };
+
+  /// The objects that some patterns are about.
+  struct Members {
+    std::optional<std::size_t> one{};  ///< some one of them
+    bool is_single = true;             ///< it is the only one
+
+    void add(std::size_t object) {
+      if (!one) one = object;
+      is_single = is_single && object == *one;
+    }
+  };
+
+  void read_line(std::string_view line, const std::string& place) {
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    if (word == "ignore" || word == "between") {
+      const std::string_view rest = trimmed(line.substr(word.size()));
+      if (rest.starts_with('=')) refuse(place, fmt::format("no set is called '{}'", word));
+      if (rest.empty()) refuse(place, "the rule says nothing");
+      return add_rule(word == "ignore" ? rules_.ignored : rules_.between, rest, place);
+    }
+    const std::size_t equals = find_plain(line, '=');
+    if (equals == std::string_view::npos) refuse(place, fmt::format("'{}' is no rule", line));
+    define(std::string(trimmed(line.substr(0, equals))), line.substr(equals + 1), place);
+  }
+
+  [[noreturn]] static void refuse(const std::string& place, const std::string& what) {
+    throw Error(fmt::format(
+        "{}: {}; write `ignore PATTERN`, `ignore PATTERN, PATTERN`, `between PATTERN, PATTERN`, or `SET = PATTERN, …`",
+        place, what));
+  }
+
+  void define(const std::string& name, std::string_view list, const std::string& place) {
+    if (name == "ignore" || name == "between") refuse(place, fmt::format("no set is called '{}'", name));
+    if (name.empty() || name.find_first_of("*?,\\") != std::string::npos)
+      throw Error(fmt::format(
+          "{}: '{}' is no name of a set; write one without * ? , and \\, and = in a pattern as \\=", place, name));
+    Set set{{}, place};
+    for (const std::string& word : listed(list)) {
+      if (word.empty())
+        throw Error(
+            fmt::format("{}: a pattern of the set '{}' is empty; write one, or leave out a comma", place, name));
+      const std::vector<std::string> patterns = patterns_of(word);
+      members_of(word, patterns, place);
+      set.patterns.insert(set.patterns.end(), patterns.begin(), patterns.end());
+    }
+    const auto [other, is_new] = sets_.emplace(name, std::move(set));
+    if (!is_new)
+      throw Error(fmt::format("{}: there is a set '{}' already, from {}; give this another name", place, name,
+                              other->second.place));
+    if (places_.contains(name))
+      warnings_.push_back(
+          fmt::format("{}: an object is called '{}' too; in rules that name is the set from here on", place, name));
+  }
+
+  /// Of a set that was defined before, else the word itself.
+  [[nodiscard]] std::vector<std::string> patterns_of(const std::string& word) const {
+    const auto set = sets_.find(word);
+    return set == sets_.end() ? std::vector<std::string>{word} : set->second.patterns;
+  }
+
+  Members members_of(const std::string& word, std::span<const std::string> patterns, const std::string& place) {
+    Members members;
+    for (const std::string& pattern : patterns) add_members(pattern, members);
+    if (!members.one)
+      warnings_.push_back(sets_.contains(word) ? fmt::format("{}: the set '{}' has no object in it", place, word)
+                                               : fmt::format("{}: no object is called '{}', and no set above{}", place,
+                                                             word, suggestion(word, names_)));
+    return members;
+  }
+
+  /// A name that means itself is looked up: there may be very many.
+  void add_members(const std::string& pattern, Members& members) const {
+    if (pattern.find_first_of("*?\\") == std::string::npos) {
+      if (const auto found = places_.find(pattern); found != places_.end()) members.add(found->second);
+      return;
+    }
+    for (std::size_t i = 0; i < names_.size() && members.is_single; ++i)
+      if (matches_pattern(pattern, names_[i])) members.add(i);
+  }
+
+  std::vector<std::string>& warnings_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t, std::less<>> places_;  ///< of the names
+  std::map<std::string, Set> sets_;
+  NameRules rules_;
+  bool has_pairs_ = false;  ///< some rule `between` is about some pair
+};
+
+}  // namespace
+
+bool has_rules(const RuleArguments& arguments) {
+  return !arguments.files.empty() || !arguments.ignored.empty() || !arguments.between.empty();
+}
+
+void add_rules(CLI::App& app, RuleArguments& arguments) {
+  const auto repeated = [&](const char* name, std::vector<std::string>& texts, const char* help, const char* type) {
+    app.add_option(name, texts, help)->type_name(type)->expected(1)->allow_extra_args(false)->take_all();
+  };
+  repeated("--rules", arguments.files,
+           "which pairs are checked: a file of rules and sets (docs/reference/check-rules.md); may be repeated",
+           "FILE");
+  repeated(
+      "--ignore", arguments.ignored,
+      "a rule: no pairs of these, or none of this one; * and ? in names stand for any text and any character; may be "
+      "repeated",
+      "PATTERN[,PATTERN]");
+  repeated("--between", arguments.between,
+           "a rule: only pairs of these, or only those of this one; also of sets of --rules; may be repeated",
+           "PATTERN[,PATTERN]");
+}
+
+NameRules read_rules(const RuleArguments& arguments, const Scene& scene, std::vector<std::string>& warnings) {
+  RuleReader reader(scene, warnings);
+  for (const std::string& file : arguments.files) reader.read_file(file);
+  for (const std::string& text : arguments.ignored)
+    reader.add_rule(reader.rules().ignored, trimmed(text), "--ignore " + text);
+  for (const std::string& text : arguments.between)
+    reader.add_rule(reader.rules().between, trimmed(text), "--between " + text);
+  reader.require_pairs();
+  return reader.rules();
+}
+
+}  // namespace toccata::command

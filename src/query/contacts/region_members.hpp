@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "query/contacts/surface_within.hpp"
+
+namespace toccata {
+
+/// What belongs to one region: its contacts, ascending, and the pieces of either surface within the other solid.
+struct RegionMembers {
+  std::vector<Index> contacts;
+  std::vector<Index> pieces_of_a;
+  std::vector<Index> pieces_of_b;
+};
+
+/// Of two meshes, the contacts whose triangles are connected through vertices of both. The region with the least
+/// contact comes first.
+[[nodiscard]] std::vector<RegionMembers> regions_of_surfaces(std::span<const Contact> contacts, VertexGraph& a,
+                                                             VertexGraph& b);
+
+/// Of two solids, also those that a part of one's surface within the other joins: through vertices inside, or along a
+/// straight way within a triangle.
+[[nodiscard]] std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, VertexGraph& a,
+                                                           const SurfaceWithin& a_within, VertexGraph& b,
+                                                           const SurfaceWithin& b_within);
+
+}  // namespace toccata

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/query/check_all.hpp"
+
+namespace toccata {
+
+/// What `check_all` answers of the pairs that are wanted alone.
+struct WantedAnswer {
+  CheckAnswer answer;
+  std::size_t left_out = 0;  ///< pairs that would have been looked at and are not wanted
+};
+
+/// Without a filter all are wanted. The pair clearances are of pairs that are.
+[[nodiscard]] WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
+                                        const PairFilter& wanted);
+
+}  // namespace toccata

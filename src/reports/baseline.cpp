@@ -1,0 +1,166 @@
+#include "reports/baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "io/formats/file_bytes.hpp"
+#include "io/formats/utf8.hpp"
+#include "reports/questions/question_parts.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/reports/scene_question.hpp"
+
+namespace toccata {
+namespace {
+
+constexpr std::array relation_kinds = {RelationKind::apart, RelationKind::touching, RelationKind::overlapping,
+                                       RelationKind::crossing};
+constexpr std::array containments = {Containment::none, Containment::a_in_b, Containment::b_in_a, Containment::equal};
+
+FormerPair flipped(FormerPair pair) {
+  std::swap(pair.a, pair.b);
+  if (pair.containment == Containment::a_in_b)
+    pair.containment = Containment::b_in_a;
+  else if (pair.containment == Containment::b_in_a)
+    pair.containment = Containment::a_in_b;
+  return pair;
+}
+
+/// Of a report, and of a question, which has no more than this.
+FormerPair former_pair_of(const io::JsonValue& pair) {
+  return {pair.at("a").text(), pair.at("b").text(), io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
+          io::one_named<Containment>(pair.at("containment"), containments)};
+}
+
+/// The pairs of a baseline, and where its objects are among those of now.
+class FormerPairs {
+ public:
+  FormerPairs(const Baseline& baseline, std::span<const SceneInstance> models) {
+    for (std::size_t i = 0; i < models.size(); ++i) places_.emplace(models[i].name, static_cast<Index>(i));
+    for (const FormerPair& pair : baseline.pairs) {
+      const auto place = place_of(pair);
+      if (!place) continue;
+      const bool is_ascending = places_.at(pair.a) < places_.at(pair.b);
+      of_pair_.emplace(*place, is_ascending ? pair : flipped(pair));
+    }
+  }
+
+  /// Ascending; none where one of the two is not there, or both are one.
+  [[nodiscard]] std::optional<IndexPair> place_of(const FormerPair& pair) const {
+    const auto a = places_.find(pair.a), b = places_.find(pair.b);
+    if (a == places_.end() || b == places_.end() || a == b) return std::nullopt;
+    return IndexPair{std::min(a->second, b->second), std::max(a->second, b->second)};
+  }
+
+  [[nodiscard]] std::optional<FormerPair> at(const IndexPair& place) const {
+    const auto found = of_pair_.find(place);
+    return found == of_pair_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::map<std::string_view, Index> places_;
+  std::map<IndexPair, FormerPair> of_pair_;
+};
+
+bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
+  const auto found = std::lower_bound(answer.pairs.begin(), answer.pairs.end(), place,
+                                      [](const PairAnswer& pair, const IndexPair& other) {
+                                        return IndexPair{pair.a, pair.b} < other;
+                                      });
+  return found != answer.pairs.end() && IndexPair{found->a, found->b} == place;
+}
+
+/// Of a pair that is not in the report.
+GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked) {
+  if (!place) return GoneReason::no_object;
+  if (io::in_one_group(checked.models[place->first], checked.models[place->second])) return GoneReason::left_out;
+  if (checked.wanted && !checked.wanted(*place)) return GoneReason::left_out;
+  return is_answered(checked.answer, *place) ? GoneReason::touching : GoneReason::apart;
+}
+
+}  // namespace
+
+namespace io {
+
+void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report) {
+  const FormerPairs former(baseline, checked.models);
+  report.baseline = baseline.file;
+  std::set<IndexPair> reported;
+  for (ReportedPair& pair : report.pairs) {
+    pair.was = former.at({pair.a, pair.b});
+    reported.insert({pair.a, pair.b});
+  }
+  for (const FormerPair& pair : baseline.pairs) {
+    const std::optional<IndexPair> place = former.place_of(pair);
+    if (!place || !reported.contains(*place)) report.gone.push_back({pair, reason_of(place, checked)});
+  }
+}
+
+Json json_of(const FormerPair& pair) {
+  return {{"a", as_utf8(pair.a)},
+          {"b", as_utf8(pair.b)},
+          {"relation", name_of(pair.kind)},
+          {"containment", name_of(pair.containment)}};
+}
+
+Json json_of(const Baseline& baseline) {
+  Json pairs = Json::array();
+  for (const FormerPair& pair : baseline.pairs) pairs.push_back(json_of(pair));
+  return {{"file", as_utf8(baseline.file)}, {"pairs", std::move(pairs)}};
+}
+
+Baseline baseline_of(const JsonValue& value) {
+  value.expect_keys({"file", "pairs"});
+  Baseline baseline{value.at("file").text(), {}};
+  for (const JsonValue& pair : value.elements("pairs")) {
+    pair.expect_keys({"a", "b", "relation", "containment"});
+    baseline.pairs.push_back(former_pair_of(pair));
+  }
+  return baseline;
+}
+
+}  // namespace io
+
+namespace {
+
+bool is_report_of_check(const io::JsonValue& top) {
+  return top.is_object() && top.has("schema") && top.at("schema").is_string() &&
+         top.at("schema").text() == "toccata/check/2";
+}
+
+/// Objects are known by their names alone.
+void require_common_object(const io::JsonValue& top, const Scene& scene) {
+  std::set<std::string_view> names;
+  for (const SceneObject& object : scene.objects) names.insert(object.name);
+  const std::vector<io::JsonValue> objects = top.elements("objects");
+  const auto is_here = [&](const io::JsonValue& object) { return names.contains(object.at("name").text()); };
+  if (std::any_of(objects.begin(), objects.end(), is_here)) return;
+  top.fail(fmt::format("this report is about another model: none of its {} objects has the name of one that is here",
+                       objects.size()),
+           "name a report about this model");
+}
+
+}  // namespace
+
+Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
+  const std::string file = path.string();
+  const io::FileBytes bytes = io::read_file(path);
+  const nlohmann::json document = io::parse_json(bytes.span(), file, io::RepeatedKeys::refused);
+  const io::JsonValue top(document, file);
+  if (!is_report_of_check(top))
+    top.fail("this is no report that can be a baseline",
+             "name a file that `check --json` wrote, without --poses or --self");
+  require_common_object(top, scene);
+  Baseline baseline{file, {}};
+  for (const io::JsonValue& pair : top.elements("pairs")) baseline.pairs.push_back(former_pair_of(pair));
+  return baseline;
+}
+
+}  // namespace toccata

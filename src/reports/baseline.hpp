@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "io/formats/json.hpp"
+#include "io/formats/json_value.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/query/check_all.hpp"
+#include "toccata/reports/report.hpp"
+
+namespace toccata::io {
+
+/// What was checked now.
+struct Checked {
+  std::span<const SceneInstance> models;
+  const PairFilter& wanted;  ///< by the rules; empty: all
+  const CheckAnswer& answer;
+};
+
+/// Tells of each pair of the report what it was in the baseline, and which pairs of that are gone.
+void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report);
+
+[[nodiscard]] Json json_of(const FormerPair& pair);
+[[nodiscard]] Json json_of(const Baseline& baseline);
+
+/// Back from JSON.
+[[nodiscard]] Baseline baseline_of(const JsonValue& value);
+
+}  // namespace toccata::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/query/check_all.hpp"
+#include "toccata/reports/report.hpp"
+
+namespace toccata::io {
+
+/// Which pairs of the models the rules leave to be checked; empty where there are none.
+[[nodiscard]] PairFilter wanted_pairs(const NameRules& rules, std::span<const SceneInstance> models);
+
+}  // namespace toccata::io

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "toccata/shapes/triangle_mesh.hpp"
+
+namespace toccata {
+
+/// As triangulate; the mesh takes the vertices over.
+[[nodiscard]] TriangleMesh triangulated(PolygonMesh polygons);
+
+}  // namespace toccata

@@ -1,0 +1,205 @@
+// check --baseline, --fail-on and --sort as a person or a script meets them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+/// A box of side 2 along x, from a place on.
+struct Placed {
+  std::string name;
+  double x = 0;
+  std::string group{};
+};
+
+std::string scene_of(const std::vector<Placed>& boxes) {
+  Json scene = {{"format", "toccata-scene"}, {"version", 1}, {"objects", Json::array()}};
+  for (const Placed& box : boxes)
+    scene["objects"].push_back({{"name", box.name},
+                                {"group", box.group},
+                                {"shape", {{"type", "box"}, {"half_extents", {1, 1, 1}}}},
+                                {"pose", {{"translation", {box.x, 0, 0}}}}});
+  return scene.dump();
+}
+
+class CheckBaseline : public testing::Test {
+ protected:
+  test::CommandResult check(const std::vector<Placed>& boxes, std::vector<std::string> options) {
+    folder.write("scene.json", scene_of(boxes));
+    options.insert(options.begin(), {"check", "scene.json"});
+    return run_command(options, folder.path());
+  }
+
+  void keep(const std::vector<Placed>& boxes, std::vector<std::string> options = {}) {
+    options.emplace_back("--json");
+    folder.write("old.json", check(boxes, options).out);
+  }
+
+  /// The report since then.
+  Json since(const std::vector<Placed>& boxes, std::vector<std::string> options = {}) {
+    options.insert(options.end(), {"--baseline", "old.json", "--json"});
+    const auto run = check(boxes, options);
+    EXPECT_NE(run.exit_code, 2) << run.err;
+    return run.exit_code == 2 ? Json() : Json::parse(run.out);
+  }
+
+  TemporaryFolder folder;
+  const std::vector<Placed> row = {{"a", 0}, {"b", 1.5}, {"c", 3.5}, {"ü", 9}};  // a overlaps b, which touches c
+};
+
+TEST_F(CheckBaseline, TellsWhatIsNewKnownGraverAndGone) {
+  keep(row);
+  const Json same = since(row);
+  EXPECT_EQ(same["baseline"], Json::parse(R"({"file": "old.json", "new": 0, "known": 2, "graver": 0, "gone": []})"));
+  for (const Json& pair : same["pairs"]) {
+    EXPECT_EQ(pair["baseline"], "known");
+    EXPECT_FALSE(pair.contains("was"));
+  }
+  const Json moved = since({{"c", 3.25}, {"b", 1.5}, {"a", -4}, {"ü", 4}});
+  ASSERT_EQ(moved["pairs"].size(), 2U);
+  EXPECT_EQ(moved["pairs"][0]["baseline"], "graver") << moved["pairs"][0];
+  EXPECT_EQ(moved["pairs"][0]["was"], Json::parse(R"({"relation": "touching", "containment": "none"})"));
+  EXPECT_EQ(moved["pairs"][1]["baseline"], "new");
+  EXPECT_EQ(
+      moved["baseline"]["gone"],
+      Json::parse(R"([{"a": "a", "b": "b", "relation": "overlapping", "containment": "none", "reason": "apart"}])"));
+}
+
+TEST_F(CheckBaseline, TellsWhyAPairIsGone) {
+  keep(row);
+  const auto reasons = [&](const std::vector<Placed>& boxes, const std::vector<std::string>& options) {
+    std::string text;
+    const Json report = since(boxes, options);
+    for (const Json& pair : report["baseline"]["gone"])
+      text +=
+          pair["a"].get<std::string>() + pair["b"].get<std::string>() + " " + pair["reason"].get<std::string>() + " ";
+    return text;
+  };
+  EXPECT_EQ(reasons(row, {"--touching", "ignore"}), "bc touching ");
+  EXPECT_EQ(reasons(row, {"--ignore", "a,b"}), "ab left_out ");
+  EXPECT_EQ(reasons({{"a", 0, "arm"}, {"b", 1.5, "arm"}, {"c", 3.5}}, {}), "ab left_out ");
+  EXPECT_EQ(reasons({{"a", 0}, {"b", 1.5}}, {}), "bc no_object ");
+  EXPECT_EQ(reasons({{"a", 0}, {"b", 7}, {"c", 3.5}}, {}), "ab apart bc apart ");
+}
+
+TEST_F(CheckBaseline, KnowsPairsAndContainmentInEitherOrder) {
+  keep({{"a", 0}, {"b", 0}, {"c", 9}});
+  EXPECT_EQ(since({{"b", 0}, {"a", 0}})["pairs"][0]["baseline"], "known");
+  folder.write("old.json", R"({"schema": "toccata/check/2", "objects": [{"name": "a"}, {"name": "b"}],
+    "pairs": [{"a": "a", "b": "b", "relation": "overlapping", "containment": "a_in_b"}]})");
+  EXPECT_EQ(since({{"b", 0}, {"a", 0.5}})["pairs"][0]["was"]["containment"], "b_in_a");
+  EXPECT_EQ(since({{"a", 0}, {"b", 0.5}})["pairs"][0]["was"]["containment"], "a_in_b");
+}
+
+TEST_F(CheckBaseline, IsToldInTheTableAndInCsv) {
+  keep(row);
+  const std::vector<Placed> moved = {{"a", -4}, {"b", 1.5}, {"c", 3.25}, {"ü", 4}};
+  EXPECT_EQ(check(moved, {"--baseline", "old.json"}).out,
+            "4 objects with 0 triangles; the bounding boxes of 2 pairs overlap.\n"
+            "  graver (before: touches)  b  overlaps  c  (both solids)\n"
+            "  new                       c  overlaps  ü  (both solids)\n"
+            "2 pairs in contact, decided exactly.\n"
+            "  gone  a  overlaps  b  (no clash now)\n"
+            "Since old.json: 1 new, 1 graver, 0 known, 1 gone.\n");
+  EXPECT_EQ(check(moved, {"--baseline", "old.json", "--csv"}).out,
+            "a,b,relation,containment,side_unresolved,status,baseline,was_relation,was_containment\n"
+            "b,c,overlapping,none,false,exact,graver,touching,none\nc,ü,overlapping,none,false,exact,new,,\n");
+}
+
+TEST_F(CheckBaseline, DecidesTheExitCodeWhereThatIsAsked) {
+  keep(row);
+  const auto code = [&](const std::vector<Placed>& boxes, const std::string& fail_on,
+                        std::vector<std::string> options = {"--baseline", "old.json"}) {
+    options.insert(options.end(), {"--fail-on", fail_on});
+    return check(boxes, options).exit_code;
+  };
+  EXPECT_EQ(code(row, "any"), 1);
+  EXPECT_EQ(code(row, "new"), 0);
+  EXPECT_EQ(code(row, "hard"), 1);
+  const std::vector<Placed> graver = {{"a", 0}, {"b", 1.5}, {"c", 3.25}}, touching = {{"b", 1.5}, {"c", 3.5}};
+  EXPECT_EQ(code(graver, "new"), 1);
+  EXPECT_EQ(code({{"a", 0}, {"b", 2}, {"c", 4}}, "new"), 0) << "a pair that is less grave than before";
+  EXPECT_EQ(code({{"a", 0}, {"b", 9}, {"ü", 11}}, "new"), 1);
+  EXPECT_EQ(code(touching, "hard", {}), 0);
+  EXPECT_EQ(code(touching, "any", {}), 1);
+  EXPECT_EQ(code(touching, "hard", {"--clearance", "5"}), 0);
+  folder.write("far.txt", "1 0 0 0 1 0 0 0 1 0 0 0\n");
+  EXPECT_EQ(code(touching, "hard", {"--poses", "far.txt"}), 0);
+  EXPECT_EQ(code(touching, "any", {"--poses", "far.txt"}), 1);
+  folder.write("far.txt", "1 0 0 0 1 0 0 0 1 -1 0 0\n");
+  EXPECT_EQ(code(touching, "hard", {"--poses", "far.txt"}), 1);
+}
+
+TEST_F(CheckBaseline, MayOverlapIsHard) {
+  const std::string flat = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  folder.write("flat.off", flat);
+  const auto run = run_command({"check", "flat.off", "flat.off", "--fail-on", "hard"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1) << "surfaces of which the faces cannot tell whether they pass through each other";
+}
+
+TEST_F(CheckBaseline, ThatIsNoneIsTrouble) {
+  const auto error = [&](const std::string& text) {
+    folder.write("old.json", text);
+    const auto run = check(row, {"--baseline", "old.json"});
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_TRUE(run.out.empty());
+    EXPECT_NE(run.err.find("old.json"), std::string::npos) << run.err;
+    return run.err;
+  };
+  for (const std::string text : {"{}", "[]", R"({"schema": "toccata/distance/1"})", R"({"schema": 3})"})
+    EXPECT_NE(error(text).find("no report that can be a baseline"), std::string::npos) << text;
+  EXPECT_NE(error("").find("empty"), std::string::npos);
+  EXPECT_NE(error("a b").find("old.json:1"), std::string::npos);
+  EXPECT_NE(error(R"({"schema": "toccata/check/2", "objects": [{"name": "x"}, {"name": "y"}], "pairs": []})")
+                .find("another model: none of its 2 objects"),
+            std::string::npos);
+  EXPECT_NE(error(R"({"schema": "toccata/check/2", "objects": [{"name": "a"}], "pairs":
+                    [{"a": "a", "b": "b", "relation": "near", "containment": "none"}]})")
+                .find("/pairs/0/relation"),
+            std::string::npos);
+  EXPECT_EQ(check(row, {"--baseline", "gone.json"}).exit_code, 2);
+  EXPECT_EQ(check(row, {"--baseline", "old.json", "--baseline", "old.json"}).exit_code, 2);
+  EXPECT_NE(check(row, {"--fail-on", "new"}).err.find("add --baseline"), std::string::npos);
+  EXPECT_EQ(check(row, {"--fail-on", "soft"}).exit_code, 2);
+}
+
+TEST_F(CheckBaseline, IsPartOfWhatIsAskedAgain) {
+  keep(row);
+  const std::vector<Placed> moved = {{"a", -4}, {"b", 1.5}, {"c", 3.25}, {"ü", 4}};
+  const auto asked =
+      check(moved, {"--baseline", "old.json", "--sort", "severity", "--json", "--save-case", "case.json"});
+  folder.write("old.json", "something else by now");
+  EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
+  folder.write("report.json", asked.out);
+  const auto drawn = run_command({"view", "report.json", "-o", "page.html"}, folder.path());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_EQ(drawn.err.find("another answer"), std::string::npos) << drawn.err;
+}
+
+TEST_F(CheckBaseline, SeverityOrdersThePairs) {
+  // Near, touching, shallow, deep, and near again, but less so.
+  const std::vector<Placed> mixed = {{"n", 0},     {"m", 2.25}, {"t", 10}, {"u", 12}, {"s", 20},
+                                     {"r", 21.75}, {"d", 30},   {"e", 31}, {"x", 40}, {"y", 42.125}};
+  const auto order = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--json", "--clearance", "0.5"});
+    std::string text;
+    const Json report = Json::parse(check(mixed, options).out);
+    for (const Json& pair : report["pairs"]) text += pair["a"].get<std::string>();
+    return text;
+  };
+  EXPECT_EQ(order({}), "ntsdx");
+  EXPECT_EQ(order({"--sort", "objects"}), "ntsdx");
+  EXPECT_EQ(order({"--sort", "severity"}), "sdtxn");
+  EXPECT_EQ(order({"--sort", "severity", "--penetration"}), "dstxn");
+  EXPECT_EQ(order({"--sort", "severity", "--touching", "ignore"}), "sdxn");
+}
+
+}  // namespace
+}  // namespace toccata
