@@ -34,10 +34,10 @@ struct ArrayLike : nb::object {
   NB_OBJECT_DEFAULT(ArrayLike, nb::object, "numpy.typing.ArrayLike", anything)
 };
 struct PoseLike : nb::object {
-  NB_OBJECT_DEFAULT(PoseLike, nb::object, "toccata._typing.PoseLike | None", anything)
+  NB_OBJECT_DEFAULT(PoseLike, nb::object, "toccata._typing.PoseLike", anything)
 };
 struct PosesLike : nb::object {
-  NB_OBJECT_DEFAULT(PosesLike, nb::object, "toccata._typing.PosesLike | None", anything)
+  NB_OBJECT_DEFAULT(PosesLike, nb::object, "toccata._typing.PosesLike", anything)
 };
 /// An array of doubles.
 struct Floats : nb::object {

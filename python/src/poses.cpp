@@ -1,5 +1,4 @@
 #include <nanobind/nanobind.h>
-#include <nanobind/operators.h>
 #include <nanobind/stl/string.h>
 
 #include <fmt/format.h>
@@ -21,7 +20,7 @@ std::string text_of(const Pose& pose) {
 }
 
 /// Of one point or of an array (N, 3).
-Floats transformed(const Pose& pose, nb::handle points) {
+Floats transformed(const Pose& pose, const ArrayLike& points) {
   const Doubles numbers = doubles(points, "points");
   if (numbers.has_shape(1, {3})) return array_of(transform(pose, vector_of(points, "points")));
   return nb::borrow<Floats>(array_over<double>(transform(pose, vectors_of(points, "points")), {3}));
@@ -56,7 +55,7 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
           nb::arg("given"))
       .def(
           "__init__",
-          [](Pose* place, const nb::typed<nb::object, nb::any>& linear, const ArrayLike& offset) {
+          [](Pose* place, const PoseLike& linear, const ArrayLike& offset) {
             const Pose pose = pose_of(nb::make_tuple(linear, offset), "the pose");
             if (!is_finite(pose)) throw Error("the pose is not finite");
             new (place) Pose(pose);
@@ -113,7 +112,13 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
       .def(
           "__mul__", &composed, nb::arg("inner"), nb::is_operator(), "The inner pose first, then this one; rounded.")
       .def("__matmul__", &composed, nb::arg("inner"), nb::is_operator(), "The same as *.")
-      .def(nb::self == nb::self)
+      .def(
+          "__eq__",
+          [](const Pose& pose, const nb::object& other) {
+            const Pose* with = nullptr;
+            return nb::try_cast(other, with, false) && with != nullptr && pose == *with;
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__", [](const Pose& pose) { return nb::hash(parts_of(pose)); })
       .def("__repr__", &text_of)
       .def(
