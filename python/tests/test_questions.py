@@ -37,8 +37,8 @@ def test_every_pair_of_kinds_answers_or_says_why():
 
 @pytest.mark.parametrize("threads", [1, 2, 0])
 def test_batches_answer_as_single_questions(knot, threads):
-    poses = matrices(40, 1.5, 7)
-    ball, box = toccata.Sphere(0.3), toccata.Box((0.4, 0.3, 0.2))
+    poses = matrices(40, 2, 7)
+    ball, box = toccata.Sphere(0.9), toccata.Box((0.9, 0.8, 0.7))
     for a, b in ((ball, box), (knot, box), (knot, knot)):
         overlaps = toccata.overlap_each(a, b, poses_b=poses, threads=threads)
         assert overlaps.dtype == bool and 0 < overlaps.sum() < len(poses)

@@ -127,7 +127,7 @@ def test_meshes(vertices, faces):
         (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 3]]), "3"),
         (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, -1]]), "faces: the index -1 in row 0"),
         (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0.0, 1.0, 2.0]]), "whole numbers"),
-        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], []), "no triangle"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], []), "at least one triangle"),
         (([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]), "vertices: an array of the shape \\(N, 3\\)"),
         (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2, 0]]), "faces: an array of the shape \\(N, 3\\)"),
         ((["a", "b"], [[0, 1, 2]]), "vertices: real numbers are needed"),
@@ -163,7 +163,7 @@ def test_owners_may_go_first():
     gc.collect()
     assert watched() is None  # copied, and let go
     assert hull.element_count == 1
-    answers = toccata.distance_each(BALL, BOX, poses_b=[[3, 0, 0], [4, 0, 0]])
+    answers = toccata.distance_each(BALL, BOX, poses_b=numpy.array([[3, 0, 0], [4, 0, 0]]))
     points = answers["on_a"]
     del answers
     gc.collect()
