@@ -30,6 +30,8 @@ STEPS = {
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
     "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
     "proofs": "python3 tools/check_proofs.py",
+    "python": "python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
+    "build/python/venv/bin/python -m pytest -q python/tests",
     "recipes": "python3 tools/check_recipes.py --build",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "

@@ -1,0 +1,243 @@
+#include "arrays.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
+
+namespace toccata::python {
+namespace {
+
+nb::module_ numpy() { return nb::module_::import_("numpy"); }
+
+std::string text_of(nb::handle object) { return nb::cast<std::string>(nb::str(object)); }
+
+template <class Array>
+Doubles in_place(Array array) {
+  Doubles numbers{nb::object(), array.data(), {}};
+  for (std::size_t i = 0; i < array.ndim(); ++i) numbers.shape.push_back(array.shape(i));
+  return numbers;
+}
+
+/// What numpy makes of it, as numbers of one kind.
+nb::object as_array(nb::handle given, std::string_view what, std::string_view kinds) {
+  nb::object array;
+  try {
+    array = numpy().attr("asarray")(given);
+  } catch (const nb::python_error& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
+    throw Error(fmt::format("{}: these are no numbers of an array: {}", what,
+                            text_of(error.value())));
+  }
+  const auto kind = text_of(array.attr("dtype").attr("kind"));
+  // numpy makes an array of floats of an empty list.
+  const bool empty = nb::cast<std::size_t>(array.attr("size")) == 0 && kind == "f";
+  if (!empty && kinds.find(kind) == std::string_view::npos)
+    throw Error(fmt::format("{}: {} numbers are needed, and these are of type {}", what,
+                            kinds.find('f') == std::string_view::npos ? "whole" : "real",
+                            text_of(array.attr("dtype"))));
+  return array;
+}
+
+template <class Number>
+NumbersOf<Number> converted(const nb::object& array, const char* type) {
+  using Array = nb::ndarray<const Number, nb::ro, nb::c_contig, nb::device::cpu>;
+  nb::dict options;
+  options["dtype"] = type;
+  options["order"] = "C";
+  nb::object made = numpy().attr("asarray")(array, **options);
+  const auto view = nb::cast<Array>(made, false);
+  NumbersOf<Number> numbers{made, view.data(), {}};
+  for (std::size_t i = 0; i < view.ndim(); ++i) numbers.shape.push_back(view.shape(i));
+  return numbers;
+}
+
+Vec3 vector_at(const double* at) { return {at[0], at[1], at[2]}; }
+
+std::vector<Vec3> vectors_in(const Doubles& numbers) {
+  std::vector<Vec3> vectors(numbers.rows());
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = vector_at(numbers.data + 3 * i);
+  return vectors;
+}
+
+/// Of matrices of 4×4 or 3×4 numbers the one at a place.
+Pose pose_in(const Doubles& numbers, std::size_t place, std::string_view what) {
+  const std::size_t rows = *(numbers.shape.end() - 2);
+  const double* matrix = numbers.data + place * rows * 4;
+  const double* last = matrix + 12;
+  if (rows == 4 && (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] != 1))
+    throw Error(fmt::format(
+        "{}{}: the last row of a 4×4 matrix must be 0 0 0 1, and is {} {} {} {}; a pose is no projection", what,
+        numbers.shape.size() == 3 ? fmt::format(", pose {}", place) : "", last[0], last[1], last[2], last[3]));
+  Pose pose;
+  for (int i = 0; i < 3; ++i) {
+    const double* row = matrix + 4 * i;
+    pose.linear[i] = vector_at(row);
+    pose.offset[i] = row[3];
+  }
+  return pose;
+}
+
+/// What scipy's and other rotations hand over: a matrix, or an array of them.
+nb::object matrix_of(nb::handle given) { return given.attr("as_matrix")(); }
+
+bool tells_a_matrix(nb::handle given) { return nb::hasattr(given, "as_matrix"); }
+
+Mat3 rotation_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(tells_a_matrix(given) ? matrix_of(given) : nb::borrow(given), what);
+  if (!numbers.has_shape(2, {3, 3}))
+    throw Error(fmt::format("{}: the linear part is a 3×3 matrix, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return {{vector_at(numbers.data), vector_at(numbers.data + 3), vector_at(numbers.data + 6)}};
+}
+
+bool is_pair(nb::handle given) {
+  return (PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) == 2;
+}
+
+[[noreturn]] void refuse_pose(std::string_view what, const Doubles& numbers, std::string_view more) {
+  throw Error(fmt::format(
+      "{}: a pose is a toccata.Pose, a matrix of 4×4 or 3×4 numbers, a pair (R, t), three numbers for a translation{}, "
+      "and what is given has the shape {}",
+      what, more, shape_text(numbers.shape)));
+}
+
+}  // namespace
+
+std::string shape_text(const std::vector<std::size_t>& shape) {
+  return shape.size() == 1 ? fmt::format("({},)", shape.front()) : fmt::format("({})", fmt::join(shape, ", "));
+}
+
+Doubles doubles(nb::handle given, std::string_view what) {
+  using Array = nb::ndarray<const double, nb::ro, nb::c_contig, nb::device::cpu>;
+  if (Array array; nb::try_cast(given, array, false)) {
+    Doubles numbers = in_place(array);
+    numbers.owner = nb::borrow(given);
+    return numbers;
+  }
+  return converted<double>(as_array(given, what, "fiub"), "float64");
+}
+
+Vec3 vector_of(nb::handle given, std::string_view what) {
+  // The usual ones without an array.
+  if (PyTuple_Check(given.ptr()) && PyTuple_Size(given.ptr()) == 3) {
+    Vec3 vector;
+    for (int i = 0; i < 3; ++i) {
+      PyObject* number = PyTuple_GetItem(given.ptr(), i);
+      if (!PyFloat_Check(number) && !PyLong_Check(number)) break;
+      vector[i] = PyFloat_AsDouble(number);
+      if (vector[i] == -1 && PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        throw Error(fmt::format("{}: a number is too large for a double", what));
+      }
+      if (i == 2) return vector;
+    }
+  }
+  const Doubles numbers = doubles(given, what);
+  if (!numbers.has_shape(1, {3}))
+    throw Error(fmt::format("{}: three numbers are needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return vector_at(numbers.data);
+}
+
+std::vector<Vec3> vectors_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (numbers.has_shape(1, {0})) return {};
+  if (!numbers.has_shape(2, {3}))
+    throw Error(fmt::format("{}: an array of the shape (N, 3) is needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return vectors_in(numbers);
+}
+
+std::vector<Index> indices_of(nb::handle given, std::size_t columns, std::string_view what) {
+  const nb::object array = as_array(given, what, "iu");
+  const bool is_signed = text_of(array.attr("dtype").attr("kind")) != "u";
+  const auto read = [&]<class Number>(Number, const char* type) {
+    const NumbersOf<Number> numbers = converted<Number>(array, type);
+    const std::size_t axes = columns == 1 ? 1 : 2;
+    if (!numbers.has_shape(1, {0}) &&
+        (numbers.shape.size() != axes || (axes == 2 && numbers.shape.back() != columns)))
+      throw Error(fmt::format("{}: an array of the shape ({}) is needed, and what is given has the shape {}", what,
+                              axes == 1 ? "N," : fmt::format("N, {}", columns), shape_text(numbers.shape)));
+    std::vector<Index> indices(numbers.rows() * columns);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const Number number = numbers.data[i];
+      if (number < Number{0} || number >= Number{std::numeric_limits<Index>::max()})
+        throw Error(fmt::format("{}: the index {} in row {} is none of 0 … 4294967294", what, number, i / columns));
+      indices[i] = static_cast<Index>(number);
+    }
+    return indices;
+  };
+  return is_signed ? read(std::int64_t{}, "int64") : read(std::uint64_t{}, "uint64");
+}
+
+Pose pose_of(nb::handle given, std::string_view what) {
+  if (given.is_none()) return {};
+  if (const Pose* pose = nullptr; nb::try_cast(given, pose, false) && pose != nullptr) return *pose;
+  if (is_pair(given)) return {rotation_of(given[0], what), vector_of(given[1], what)};
+  const bool of_scipy = !nb::ndarray_check(given) && tells_a_matrix(given);
+  const Doubles numbers = doubles(of_scipy ? matrix_of(given) : nb::borrow(given), what);
+  if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4})) return pose_in(numbers, 0, what);
+  if (numbers.has_shape(1, {3})) return Pose::translation(vector_at(numbers.data));
+  if (of_scipy && numbers.has_shape(2, {3, 3})) return {rotation_of(given, what), {}};
+  refuse_pose(what, numbers, "");
+}
+
+Poses poses_of(nb::handle given, std::string_view what) {
+  const auto one = [](const Pose& pose) { return Poses{{pose}, true}; };
+  if (given.is_none() || is_pair(given) || nb::isinstance<Pose>(given)) return one(pose_of(given, what));
+  if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 &&
+      nb::isinstance<Pose>(given[0])) {
+    Poses poses;
+    for (const nb::handle pose : given)
+      poses.each.push_back(pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
+    return poses;
+  }
+  const bool of_scipy = tells_a_matrix(given);
+  const Doubles numbers = doubles(of_scipy ? matrix_of(given) : nb::borrow(given), what);
+  if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4}) || numbers.has_shape(1, {3}) ||
+      (of_scipy && numbers.shape.size() == 2))
+    return one(pose_of(given, what));
+  Poses poses;
+  if (numbers.has_shape(1, {0})) return poses;
+  poses.each.reserve(numbers.rows());
+  const bool rotations = of_scipy && numbers.has_shape(3, {3, 3});
+  const bool matrices = numbers.has_shape(3, {4, 4}) || numbers.has_shape(3, {3, 4});
+  if (!rotations && !matrices && !numbers.has_shape(2, {3})) refuse_pose(what, numbers, ", or an array of N of these");
+  for (std::size_t i = 0; i < numbers.rows(); ++i) {
+    if (matrices)
+      poses.each.push_back(pose_in(numbers, i, what));
+    else if (rotations)
+      poses.each.push_back({{{vector_at(numbers.data + 9 * i), vector_at(numbers.data + 9 * i + 3),
+                              vector_at(numbers.data + 9 * i + 6)}},
+                            {}});
+    else
+      poses.each.push_back(Pose::translation(vector_at(numbers.data + 3 * i)));
+  }
+  return poses;
+}
+
+Triangle triangle_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (!numbers.has_shape(2, {3, 3}))
+    throw Error(fmt::format("{}: three vertices of three numbers are needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return {{vector_at(numbers.data), vector_at(numbers.data + 3), vector_at(numbers.data + 6)}};
+}
+
+Floats array_of(const Vec3& vector) {
+  return nb::borrow<Floats>(array_over<double>(std::vector<double>{vector.x, vector.y, vector.z}, {}));
+}
+
+Floats array_of(const Pose& pose) {
+  std::vector<std::array<double, 4>> rows;
+  for (int i = 0; i < 3; ++i) rows.push_back({pose.linear[i].x, pose.linear[i].y, pose.linear[i].z, pose.offset[i]});
+  rows.push_back({0, 0, 0, 1});
+  return nb::borrow<Floats>(array_over<double>(std::move(rows), {4}));
+}
+
+nb::tuple tuple_of(const Vec3& vector) { return nb::make_tuple(vector.x, vector.y, vector.z); }
+
+}  // namespace toccata::python

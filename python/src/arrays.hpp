@@ -1,0 +1,132 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toccata/core/index.hpp>
+#include <toccata/math/mat3.hpp>
+#include <toccata/math/pose.hpp>
+#include <toccata/math/vec3.hpp>
+#include <toccata/shapes/primitives.hpp>
+
+// Numbers from Python and back. What comes in is looked at, and converted where that changes no value; what cannot be a
+// number is a toccata::Error that names the argument.
+namespace toccata::python {
+
+namespace nb = nanobind;
+
+// What arguments and answers are called in the stubs (python/toccata/_typing.py). Everything is accepted here and
+// looked at later, so that what is wrong is told in our words.
+inline bool anything(PyObject*) { return true; }
+
+struct ArrayLike : nb::object {
+  NB_OBJECT_DEFAULT(ArrayLike, nb::object, "numpy.typing.ArrayLike", anything)
+};
+struct PoseLike : nb::object {
+  NB_OBJECT_DEFAULT(PoseLike, nb::object, "toccata._typing.PoseLike", anything)
+};
+struct PosesLike : nb::object {
+  NB_OBJECT_DEFAULT(PosesLike, nb::object, "toccata._typing.PosesLike", anything)
+};
+/// An array of doubles.
+struct Floats : nb::object {
+  NB_OBJECT_DEFAULT(Floats, nb::object, "toccata._typing.Floats", anything)
+};
+struct Indices : nb::object {
+  NB_OBJECT_DEFAULT(Indices, nb::object, "toccata._typing.Indices", anything)
+};
+struct Booleans : nb::object {
+  NB_OBJECT_DEFAULT(Booleans, nb::object, "toccata._typing.Booleans", anything)
+};
+/// A structured array: a field for each member of the answer.
+struct Answers : nb::object {
+  NB_OBJECT_DEFAULT(Answers, nb::object, "toccata._typing.Answers", anything)
+};
+
+/// An array in C order. `owner` keeps it alive.
+template <class Number>
+struct NumbersOf {
+  nb::object owner;
+  const Number* data = nullptr;
+  std::vector<std::size_t> shape;
+
+  [[nodiscard]] std::size_t rows() const { return shape.empty() ? 1 : shape.front(); }
+  /// It has so many axes, and the last ones are as long as told.
+  [[nodiscard]] bool has_shape(std::size_t axes, std::initializer_list<std::size_t> last) const {
+    return shape.size() == axes && std::equal(last.begin(), last.end(), shape.end() - static_cast<std::ptrdiff_t>(last.size()));
+  }
+};
+using Doubles = NumbersOf<double>;
+
+/// Numbers of Python or of any array, as doubles: of C-ordered doubles without a copy. Throws Error, beginning with
+/// `what`, when they are none: texts, complex numbers, objects, rows of unlike lengths.
+[[nodiscard]] Doubles doubles(nb::handle given, std::string_view what);
+
+/// "(3, 4)"
+[[nodiscard]] std::string shape_text(const std::vector<std::size_t>& shape);
+
+/// One vector. Throws Error when there are not three numbers.
+[[nodiscard]] Vec3 vector_of(nb::handle given, std::string_view what);
+
+/// Of an array (N, 3).
+[[nodiscard]] std::vector<Vec3> vectors_of(nb::handle given, std::string_view what);
+
+/// Whole numbers from 0 to 2³² − 2 of an array of any type of whole numbers, of `columns` in each row.
+[[nodiscard]] std::vector<Index> indices_of(nb::handle given, std::size_t columns, std::string_view what);
+
+/// A pose as Python tells it: docs/guide/python.md.
+[[nodiscard]] Pose pose_of(nb::handle given, std::string_view what);
+
+/// Poses, or one for all (`single`).
+struct Poses {
+  std::vector<Pose> each;
+  bool single = false;
+
+  [[nodiscard]] const Pose& operator[](std::size_t i) const { return single ? each.front() : each[i]; }
+};
+[[nodiscard]] Poses poses_of(nb::handle given, std::string_view what);
+
+[[nodiscard]] Triangle triangle_of(nb::handle given, std::string_view what);
+
+// To Python.
+
+[[nodiscard]] Floats array_of(const Vec3& vector);
+[[nodiscard]] Floats array_of(const Pose& pose);
+[[nodiscard]] nb::tuple tuple_of(const Vec3& vector);
+
+/// Makes the array of `shape` over what `owner` holds, which cannot be written to.
+template <class Number>
+[[nodiscard]] nb::object read_only_view(const Number* data, std::initializer_list<std::size_t> shape,
+                                        nb::handle owner) {
+  return nb::cast(nb::ndarray<nb::numpy, const Number>(data, shape, owner), nb::rv_policy::reference);
+}
+
+/// An object of Python that holds a value and ends it.
+template <class Value>
+[[nodiscard]] nb::capsule capsule_of(Value value) {
+  auto* kept = new Value(std::move(value));
+  return {kept, [](void* data) noexcept { delete static_cast<Value*>(data); }};
+}
+
+/// The values themselves, not copied, as an array (rows, columns …).
+template <class Number, class Value>
+[[nodiscard]] nb::object array_over(std::vector<Value> values, std::initializer_list<std::size_t> of_each) {
+  std::vector<std::size_t> shape{values.size()};
+  shape.insert(shape.end(), of_each);
+  const nb::capsule owner = capsule_of(std::move(values));
+  auto* data = static_cast<std::vector<Value>*>(owner.data())->data();
+  return nb::cast(nb::ndarray<nb::numpy, Number>(data, shape.size(), shape.data(), owner), nb::rv_policy::reference);
+}
+
+}  // namespace toccata::python

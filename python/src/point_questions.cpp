@@ -1,0 +1,197 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/pair.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
+#include <toccata/query/batch.hpp>
+#include <toccata/query/signed_distance.hpp>
+
+#include "arrays.hpp"
+#include "calls.hpp"
+#include "described.hpp"
+#include "shapes.hpp"
+
+namespace toccata::python {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+NearestQuery nearest_query(const PoseLike& pose, double max_distance) { return {pose_of(pose, "pose"), max_distance}; }
+
+/// `ask(points, model, options)` as a structured array.
+template <class Ask>
+Answers asked_of_points(const ArrayLike& points, const AnyShape& shape, int threads, const Ask& ask) {
+  const std::vector<Vec3> given = vectors_of(points, "points");
+  const Interruptible call(threads, false);
+  return structured(call.ask(
+      [&, model = shape.model](const BatchOptions& options) { return ask(std::span<const Vec3>(given), model, options); }));
+}
+
+void bind_nearest(nb::module_& module) {
+  module.def(
+      "nearest_point",
+      [](const ArrayLike& point, const AnyShape& surface, const PoseLike& pose, double max_distance) {
+        const Vec3 at = vector_of(point, "point");
+        const NearestQuery query = nearest_query(pose, max_distance);
+        return asked_about(surface.model, [&](const Model& model) { return nearest_point(at, model, query); });
+      },
+      nb::arg("point"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
+      R"(The nearest point of the surface of a posed shape, also from within.
+
+The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. Raises Error
+when a number is not finite, the greatest distance is negative, and for poses as overlap does.)");
+  module.def(
+      "nearest_points",
+      [](const ArrayLike& point, std::size_t k, const AnyShape& surface, const PoseLike& pose, double max_distance) {
+        const Vec3 at = vector_of(point, "point");
+        const NearestQuery query = nearest_query(pose, max_distance);
+        return structured(
+            asked_about(surface.model, [&](const Model& model) { return nearest_points(at, k, model, query); }));
+      },
+      nb::arg("point"), nb::arg("k"), nb::arg("surface"), nb::arg("pose") = nb::none(),
+      nb::arg("max_distance") = unlimited,
+      "The nearest points of the k nearest elements, the nearest first: a structured array with the members of "
+      "SurfacePoint.");
+  module.def(
+      "nearest_point_each",
+      [](const ArrayLike& points, const AnyShape& surface, const PoseLike& pose, double max_distance, int threads) {
+        const NearestQuery query = nearest_query(pose, max_distance);
+        return asked_of_points(points, surface, threads,
+                               [&](std::span<const Vec3> given, const Model& model, const BatchOptions& options) {
+                                 return nearest_point_each(given, model, query, options);
+                               });
+      },
+      nb::arg("points"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
+      nb::kw_only(), nb::arg("threads") = all_threads,
+      "nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint.");
+}
+
+void bind_sides(nb::module_& module) {
+  nb::enum_<Side>(module, "Side", nb::is_arithmetic(), "Where a point is.")
+      .value("outside", Side::outside)
+      .value("boundary", Side::boundary)
+      .value("inside", Side::inside);
+  nb::enum_<SignBy>(module, "SignBy", nb::is_arithmetic(), "What tells inside from outside.")
+      .value("automatic", SignBy::automatic, "Of a closed mesh the winding number, of an open one the generalised.")
+      .value("winding_number", SignBy::winding_number, "Exact. Not of open meshes.")
+      .value("generalized_winding_number", SignBy::generalized_winding_number, "A guess where holes are.");
+  bind_answer<SignedDistance>(module);
+  bind_answer<WindingNumber>(module);
+  module.def(
+      "signed_distance",
+      [](const ArrayLike& point, const AnyShape& shape, const PoseLike& pose, SignBy sign_by) {
+        const Vec3 at = vector_of(point, "point");
+        const Pose placed = pose_of(pose, "pose");
+        return asked_about(shape.model,
+                           [&](const Model& model) { return signed_distance(at, model, placed, sign_by); });
+      },
+      nb::arg("point"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
+      R"(How far a point is from the surface of a posed shape, negative inside.
+
+The side is exact of closed meshes and of shapes that are none; of an open mesh it is that of the generalised winding
+number (A. Jacobson and others, 2013). In the unit of the coordinates. Raises Error when a number is not finite, or an open
+mesh is asked by SignBy.winding_number.)");
+  module.def(
+      "signed_distance_each",
+      [](const ArrayLike& points, const AnyShape& shape, const PoseLike& pose, SignBy sign_by, int threads) {
+        const Pose placed = pose_of(pose, "pose");
+        return asked_of_points(points, shape, threads,
+                               [&](std::span<const Vec3> given, const Model& model, const BatchOptions& options) {
+                                 return signed_distance_each(given, model, placed, sign_by, options);
+                               });
+      },
+      nb::arg("points"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
+      nb::kw_only(), nb::arg("threads") = all_threads,
+      "signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance.");
+  module.def(
+      "locate",
+      [](const ArrayLike& point, const AnyShape& solid, const PoseLike& pose) {
+        const Vec3 at = vector_of(point, "point");
+        const Pose placed = pose_of(pose, "pose");
+        const PointLocation found =
+            asked_about(solid.model, [&](const Model& model) { return locate(at, model, placed); });
+        return std::pair(found.side, found.winding_number);
+      },
+      nb::arg("point"), nb::arg("solid"), nb::arg("pose") = nb::none(),
+      "Where a point lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error for an "
+      "open mesh.");
+  module.def(
+      "generalized_winding_number",
+      [](const ArrayLike& point, const AnyShape& mesh, const PoseLike& pose, double tolerance) {
+        const Vec3 at = vector_of(point, "point");
+        const Pose placed = pose_of(pose, "pose");
+        return asked_about(mesh.model, [&](const Model& model) {
+          return generalized_winding_number(at, model, placed, {.tolerance = tolerance});
+        });
+      },
+      nb::arg("point"), nb::arg("mesh"), nb::arg("pose") = nb::none(), nb::arg("tolerance") = WindingOptions{}.tolerance,
+      "How much of the sphere of directions around a point a mesh covers: about 1 inside, 0 outside, and between where holes "
+      "are. Off by at most the tolerance, as an interval. Raises Error for what is no mesh.");
+  module.def(
+      "generalized_winding_number_each",
+      [](const ArrayLike& points, const AnyShape& mesh, const PoseLike& pose, double tolerance, int threads) {
+        const Pose placed = pose_of(pose, "pose");
+        return asked_of_points(points, mesh, threads,
+                               [&](std::span<const Vec3> given, const Model& model, const BatchOptions& options) {
+                                 return generalized_winding_number_each(given, model, placed, {.tolerance = tolerance},
+                                                                        options);
+                               });
+      },
+      nb::arg("points"), nb::arg("mesh"), nb::arg("pose") = nb::none(), nb::arg("tolerance") = WindingOptions{}.tolerance,
+      nb::kw_only(), nb::arg("threads") = all_threads,
+      "The same of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber.");
+}
+
+void bind_rays(nb::module_& module) {
+  module.def(
+      "cast_ray",
+      [](const ArrayLike& origin, const ArrayLike& motion, const AnyShape& target, const PoseLike& pose, Solid solid) {
+        const Vec3 from = vector_of(origin, "origin"), way = vector_of(motion, "motion");
+        const Pose placed = pose_of(pose, "pose");
+        return asked_about(target.model,
+                           [&](const Model& model) { return cast_ray(from, way, model, placed, solid); });
+      },
+      nb::arg("origin"), nb::arg("motion"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
+      nb::arg("solid") = Solid::automatic,
+      R"(Where the ray from origin to origin + motion first meets the posed shape; both of the shape (3,), in the world.
+
+lower and upper are fractions of the way, from 0 to 1: a ray ends at origin + motion. No ray passes between two triangles
+that share an edge. A solid is met at once from within; Solid.none asks its surface. Raises Error when a number is not
+finite or the motion is zero.)");
+  module.def(
+      "cast_ray_each",
+      [](const ArrayLike& origins, const ArrayLike& motions, const AnyShape& target, const PoseLike& pose, Solid solid,
+         int threads) {
+        const std::vector<Vec3> from = vectors_of(origins, "origins"), ways = vectors_of(motions, "motions");
+        if (from.size() != ways.size())
+          throw Error(fmt::format("there are {} origins and {} motions; give as many", from.size(), ways.size()));
+        const Pose placed = pose_of(pose, "pose");
+        std::vector<RayQuery> queries(from.size());
+        for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = {from[i], ways[i], placed, solid};
+        const Interruptible call(threads, is_quick(target.model));
+        return structured(call.ask([&, model = target.model](const BatchOptions& options) {
+          return cast_ray_each(queries, model, options);
+        }));
+      },
+      nb::arg("origins"), nb::arg("motions"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
+      nb::arg("solid") = Solid::automatic, nb::arg("threads") = all_threads,
+      "cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the members of "
+      "RayHit.");
+}
+
+}  // namespace
+
+void bind_point_questions(nb::module_& module) {
+  bind_answer<RayHit>(module).def("__bool__", [](const RayHit& hit) { return hit.hit; });
+  bind_answer<SurfacePoint>(module).def("__bool__", [](const SurfacePoint& point) { return point.found; });
+  bind_nearest(module);
+  bind_sides(module);
+  bind_rays(module);
+}
+
+}  // namespace toccata::python

@@ -1,0 +1,199 @@
+"""Nothing that is handed over wrongly ends the interpreter: it is a toccata.Error, or a TypeError."""
+
+import gc
+import weakref
+
+import numpy
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+import toccata
+
+REFUSED = (toccata.Error, TypeError, OverflowError)
+BALL, BOX, MESH = toccata.Sphere(1), toccata.Box((1, 1, 1)), toccata.generate_mesh("icosphere", radius=1, subdivisions=1)
+KINDS = st.sampled_from(["f2", "f4", "f8", ">f8", "i1", "u2", "i8", "u8", "?", "c16", "U3", "S2", "O", "M8[s]", "f16"])
+SHAPES = arrays.array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=5)
+
+
+@st.composite
+def any_array(draw):
+    """Of any type, shape and stride, sometimes one that cannot be written to."""
+    dtype = numpy.dtype(draw(KINDS))
+    array = draw(arrays.arrays(dtype, draw(SHAPES)) if dtype.kind != "O" else st.just(numpy.array([None, 1, "x"], dtype=object)))
+    if draw(st.booleans()) and array.ndim:
+        array = array[:: draw(st.sampled_from([1, 2, -1]))]
+    if draw(st.booleans()) and array.ndim > 1:
+        array = array.T
+    array.flags.writeable = draw(st.booleans()) and array.flags.writeable
+    return array
+
+
+NUMBERS = st.one_of(st.floats(), st.integers(-(10**30), 10**30))
+ANYTHING = st.one_of(
+    any_array(),
+    st.none(),
+    st.text(max_size=4),
+    st.binary(max_size=4),
+    st.recursive(NUMBERS, lambda inner: st.lists(inner, max_size=4), max_leaves=20),
+    st.tuples(NUMBERS, NUMBERS, NUMBERS),
+    st.builds(object),
+    st.dictionaries(st.integers(), st.integers(), max_size=2),
+    st.complex_numbers(),
+)
+OFTEN = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+
+
+def tried(ask, *arguments, **named):
+    try:
+        return ask(*arguments, **named)
+    except REFUSED as error:
+        assert str(error)
+        return None
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING)
+def test_poses(a, b):
+    for ask in (toccata.overlap, toccata.distance, toccata.relation, toccata.penetration):
+        tried(ask, BALL, BOX, a, b)
+        tried(ask, MESH, BOX, pose_b=a)
+    for ask in (toccata.overlap_each, toccata.distance_each, toccata.penetration_each):
+        tried(ask, BALL, BOX, a, b)
+    pose = tried(toccata.Pose, a)
+    if pose is not None:
+        assert toccata.Pose(pose.matrix) == pose
+    tried(toccata.Pose, a, b)
+    tried(toccata.Pose.from_quaternion, a, b)
+    tried(toccata.Pose.rotation, a, 30)
+    tried(toccata.Pose().transform, a)
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING, ANYTHING)
+def test_shapes(a, b, c):
+    for make in (
+        toccata.Point,
+        toccata.Segment,
+        toccata.Triangle,
+        toccata.Sphere,
+        toccata.Box,
+        toccata.Capsule,
+        toccata.HalfSpace,
+        toccata.Ellipsoid,
+        toccata.ConvexHull,
+        toccata.HeightField,
+        toccata.Compound,
+        toccata.Rounded,
+        toccata.Mesh,
+        toccata.Cylinder,
+    ):
+        for arguments in ((a,), (a, b), (a, b, c)):
+            shape = tried(make, *arguments)
+            if shape is not None:
+                tried(toccata.distance, shape, BOX)
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING)
+def test_points_and_rays(a, b):
+    for shape in (BALL, MESH):
+        tried(toccata.nearest_point, a, shape, b)
+        tried(toccata.nearest_point_each, a, shape)
+        tried(toccata.signed_distance, a, shape)
+        tried(toccata.signed_distance_each, a, shape)
+        tried(toccata.cast_ray, a, b, shape)
+        tried(toccata.cast_ray_each, a, b, shape)
+        tried(toccata.cast_shape, BOX, a, shape, b)
+        tried(toccata.cast_shape_each, BOX, a, shape, b)
+
+
+@OFTEN
+@given(arrays.arrays("f8", st.tuples(st.integers(0, 5), st.just(3))), arrays.arrays("i8", st.tuples(st.integers(0, 5), st.just(3)), elements=st.integers(-2, 6)))
+def test_meshes(vertices, faces):
+    mesh = tried(toccata.Mesh, vertices, faces)
+    if mesh is not None:
+        assert len(faces) > 0 and faces.min() >= 0 and faces.max() < len(vertices) and numpy.isfinite(vertices).all()
+        tried(toccata.overlap, mesh, mesh)
+        mesh.health()
+        tried(mesh.update, vertices * 2)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (([[0, 0, numpy.nan], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), "vertex 0"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 3]]), "3"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, -1]]), "faces: the index -1 in row 0"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0.0, 1.0, 2.0]]), "whole numbers"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], []), "at least one triangle"),
+        (([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]), "vertices: an array of the shape \\(N, 3\\)"),
+        (([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2, 0]]), "faces: an array of the shape \\(N, 3\\)"),
+        ((["a", "b"], [[0, 1, 2]]), "vertices: real numbers are needed"),
+    ],
+)
+def test_words_of_errors(arguments, words):
+    with pytest.raises(toccata.Error, match=words):
+        toccata.Mesh(*arguments)
+    with pytest.raises(ValueError):  # which it is
+        toccata.Mesh(*arguments)
+
+
+def test_that_open_meshes_have_no_depth(knot):
+    with pytest.raises(toccata.Error, match="open"):
+        toccata.penetration(toccata.Mesh(knot.vertices, knot.faces[1:]), BOX)
+
+
+def test_shapes_that_were_never_made():
+    for kind in (toccata.Sphere, toccata.Mesh, toccata.Compound, toccata.Pose):
+        empty = kind.__new__(kind)
+        for ask in (lambda: toccata.overlap(empty, BOX), lambda: toccata.overlap(BOX, BOX, empty), lambda: repr(empty)):
+            try:
+                ask()
+            except (TypeError, toccata.Error):
+                pass
+
+
+def test_owners_may_go_first():
+    vertices = numpy.random.default_rng(1).normal(size=(30, 3))
+    hull = toccata.ConvexHull(vertices)
+    watched = weakref.ref(vertices)
+    del vertices
+    gc.collect()
+    assert watched() is None  # copied, and let go
+    assert hull.element_count == 1
+    answers = toccata.distance_each(BALL, BOX, poses_b=numpy.array([[3, 0, 0], [4, 0, 0]]))
+    points = answers["on_a"]
+    del answers
+    gc.collect()
+    assert numpy.isfinite(points).all()
+    compound = toccata.Compound([toccata.generate_mesh("torus")])
+    part = compound.parts[0][0]
+    del compound
+    gc.collect()
+    assert toccata.overlap(part, toccata.Sphere(2))
+
+
+def test_memory_is_given_back():
+    def resident() -> int:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1]) * 4096
+
+    vertices, faces = MESH.vertices.copy(), MESH.faces.copy()
+    poses = numpy.tile(numpy.eye(4), (200, 1, 1))
+
+    def work(rounds: int) -> None:
+        for _ in range(rounds):
+            mesh = toccata.Mesh(vertices, faces)
+            mesh.update(vertices * 2)
+            toccata.distance_each(mesh, BALL, poses_b=poses)
+            toccata.distance(mesh, BOX).on_a
+            toccata.contacts_with_points(mesh, BOX)
+            tried(toccata.Mesh, vertices, faces + 10**6)
+            toccata.cast_ray((0, 0, 9), (0, 0, -9), mesh, poses[0])
+
+    work(30)
+    before = resident()
+    work(150)
+    assert resident() - before < 8 << 20

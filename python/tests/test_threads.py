@@ -1,0 +1,131 @@
+"""Questions are asked without the interpreter's lock, and Ctrl-C ends a batch."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy
+
+import toccata
+from conftest import matrices
+
+
+def long_question(mesh: toccata.Mesh) -> None:
+    """Takes some tenths of a second on one thread."""
+    toccata.distance_each(mesh, mesh, poses_b=matrices(1500, 6, 1) , threads=1)
+
+
+def test_two_threads_are_in_the_library_at_once(knot):
+    """Whole questions of one thread begin and end while another thread is within a single call."""
+    poses = matrices(3000, 6, 1)
+    ball = toccata.Sphere(0.1)
+    within, started, ended = [], threading.Event(), threading.Event()
+
+    def one_long_call() -> None:
+        started.set()
+        begin = time.perf_counter()
+        toccata.distance_each(knot, knot, poses_b=poses, threads=1)
+        within.append((begin, time.perf_counter()))
+        ended.set()
+
+    toccata.distance(knot, ball)
+    thread = threading.Thread(target=one_long_call)
+    thread.start()
+    started.wait()
+    answered = []
+    while not ended.is_set():
+        toccata.distance(knot, ball, pose_b=(0, 0, 3))
+        answered.append(time.perf_counter())
+    thread.join()
+    begin, end = within[0]
+    assert sum(begin < moment < end for moment in answered) >= 20
+
+
+def test_threads_get_the_answers_of_one(knot):
+    poses = matrices(60, 1.5, 9)
+    expected = [toccata.distance(knot, knot, pose_b=pose) for pose in poses]
+    found = [None] * len(poses)
+
+    def ask(first: int) -> None:
+        for i in range(first, len(poses), 4):
+            found[i] = toccata.distance(knot, knot, pose_b=poses[i])
+
+    threads = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == expected
+
+
+def test_a_mesh_may_be_updated_while_it_is_asked(knot):
+    """An answer is that of the vertices before or after, never of some of both."""
+    near, far = knot.vertices.copy(), knot.vertices + (5, 0, 0)
+    mesh, ball = toccata.Mesh(near, knot.faces), toccata.Sphere(0.1)
+    allowed = [toccata.distance(toccata.Mesh(v, knot.faces), ball, pose_b=(0, 0, 2)) for v in (near, far)]
+    stop, wrong, asked = threading.Event(), [], []
+
+    def ask() -> None:
+        while not stop.is_set():
+            answer = toccata.distance(mesh, ball, pose_b=(0, 0, 2))
+            asked.append(answer.upper)
+            if answer not in allowed:
+                wrong.append(answer)
+
+    threads = [threading.Thread(target=ask) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for step in range(200):
+        mesh.update(far if step % 2 else near)
+        time.sleep(0)
+    stop.set()
+    for thread in threads:
+        thread.join()
+    assert not wrong and asked
+
+
+INTERRUPTED = """
+import os, signal, threading, time, numpy, toccata
+knot = toccata.generate_mesh("torus-knot")
+poses = numpy.tile(numpy.eye(4), (1_000_000, 1, 1))
+poses[:, 0, 3] = 3.5
+threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+begin = time.perf_counter()
+try:
+    toccata.distance_each(knot, knot, poses_b=poses)
+    print("not interrupted")
+except KeyboardInterrupt:
+    print("interrupted", toccata.overlap(knot, knot))
+"""
+
+
+def test_ctrl_c_ends_a_batch():
+    run = subprocess.run([sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60)
+    assert run.stdout.split() == ["interrupted", "True"], run.stdout + run.stderr
+
+
+def child(results: multiprocessing.Queue) -> None:
+    results.put(toccata.overlap_each(toccata.Sphere(1), toccata.Box((1, 1, 1)), poses_b=matrices(500, 4, 1)).tolist())
+
+
+def test_processes_that_are_forked_or_spawned():
+    expected = toccata.overlap_each(toccata.Sphere(1), toccata.Box((1, 1, 1)), poses_b=matrices(500, 4, 1)).tolist()
+    for way in ("fork", "spawn"):
+        context = multiprocessing.get_context(way)
+        results = context.Queue()
+        process = context.Process(target=child, args=(results,))
+        process.start()
+        assert results.get(timeout=60) == expected
+        process.join(60)
+        assert process.exitcode == 0
+
+
+def test_import_is_quick():
+    """What toccata adds to numpy's own import."""
+    measure = "import numpy, time; t = time.perf_counter(); import toccata; print(time.perf_counter() - t)"
+    times = [float(subprocess.run([sys.executable, "-c", measure], capture_output=True, text=True, check=True).stdout) for _ in range(5)]
+    assert min(times) <= 0.15, times

@@ -1,0 +1,31 @@
+"""Checked by mypy --strict and never run: what the stubs say of the usual calls."""
+
+import numpy
+from numpy.typing import NDArray
+
+import toccata
+from toccata import Box, Distance, Mesh, Pose, Shape, Sphere
+
+vertices: NDArray[numpy.float64] = numpy.zeros((3, 3))
+mesh: Mesh = Mesh(vertices, [[0, 1, 2]])
+shapes: list[Shape] = [mesh, Sphere(1), Box((1, 1, 1)), toccata.Compound([mesh, (mesh, (1, 0, 0))])]
+pose: Pose = Pose(numpy.eye(4)) @ Pose.rotation((0, 0, 1), 90)
+found: Distance = toccata.distance(mesh, shapes[0], pose_b=pose)
+number: float = found.upper
+point: NDArray[numpy.float64] = found.on_a
+exact: bool = found.status is toccata.Status.exact
+yes: bool = toccata.overlap(mesh, mesh, (1, 2, 3), (numpy.eye(3), [1, 2, 3]))
+each: NDArray[numpy.bool_] = toccata.overlap_each(mesh, mesh, poses_b=numpy.zeros((5, 4, 4)), threads=2)
+answers: NDArray[numpy.void] = toccata.distance_each(mesh, mesh, [pose, pose])
+uppers = answers["upper"]
+maybe: Distance | None = toccata.distance_within(mesh, mesh, 0.5)
+kind: toccata.RelationKind = toccata.relation(mesh, mesh).kind
+try:
+    toccata.load_mesh("mesh.obj")
+except toccata.Error as error:
+    words: str = str(error)
+version: str = toccata.__version__
+
+toccata.distance(mesh, 5)  # type: ignore[arg-type]
+toccata.overlap(mesh)  # type: ignore[call-arg]
+found.upper = 5  # type: ignore[misc]

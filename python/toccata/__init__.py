@@ -1,0 +1,13 @@
+"""Exact collision detection: do these shapes touch, how far apart are they, how deep do they overlap, what is hit first?
+
+Shapes are made once and asked about under any pose; `overlap(a, b, pose_b=matrix)` answers one question, `overlap_each(a,
+b, poses_b=matrices)` many, on all cores. Numbers have no unit: lengths come back in that of what was given. Every yes or no
+is exact, and every length an interval that contains the exact one. What is asked wrongly raises `toccata.Error`, a
+ValueError that says what to do. See docs/guide/python.md.
+"""
+
+from . import _core
+from ._core import *  # noqa: F403
+from ._core import __version__
+
+__all__ = sorted(name for name in vars(_core) if not name.startswith("_")) + ["__version__"]

@@ -1,0 +1,37 @@
+"""What questions take and answer, for type checkers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from ._core import Pose
+
+Floats: TypeAlias = NDArray[numpy.float64]
+Indices: TypeAlias = NDArray[numpy.uint32]
+Booleans: TypeAlias = NDArray[numpy.bool_]
+# A structured array: a field for each member of the answer.
+Answers: TypeAlias = NDArray[numpy.void]
+
+
+class HasMatrix(Protocol):
+    """Rotations and transforms of scipy."""
+
+    def as_matrix(self) -> Any: ...
+
+
+class HasVerticesAndFaces(Protocol):
+    """Meshes of trimesh and others."""
+
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def faces(self) -> Any: ...
+
+
+PoseLike: TypeAlias = Union["Pose", ArrayLike, HasMatrix, tuple[Union[ArrayLike, HasMatrix], ArrayLike]]
+PosesLike: TypeAlias = Union[PoseLike, Sequence["Pose"]]
