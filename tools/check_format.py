@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ["include", "src", "apps", "tests", "examples", "bindings"]
+FOLDERS = ["include", "src", "apps", "tests", "examples", "python"]
 
 
 def main():

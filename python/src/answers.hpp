@@ -30,8 +30,8 @@ struct Field {
 
 template <class Answer, auto... path>
 constexpr auto field(const char* name, const char* doc) {
-  using Value = std::remove_reference_t<decltype((std::declval<Answer&>() .* ... .* path))>;
-  return Field<Answer, Value>{name, doc, [](Answer& answer) -> Value& { return (answer .* ... .* path); }};
+  using Value = std::remove_reference_t<decltype((std::declval<Answer&>().*....*path))>;
+  return Field<Answer, Value>{name, doc, [](Answer& answer) -> Value& { return (answer.*....*path); }};
 }
 
 /// Specialised for every answer: `name`, `doc` and `fields`, a tuple of Field.
@@ -112,16 +112,22 @@ nb::class_<Answer> bind_answer(nb::module_& module) {
   for_each_field<Answer>([&]<class Value>(const Field<Answer, Value>& field) {
     const auto of = field.of;
     if constexpr (std::is_same_v<Value, Vec3>)
-      bound.def_prop_ro(field.name, [of](Answer& answer) { return array_of(of(answer)); }, field.doc);
+      bound.def_prop_ro(
+          field.name, [of](Answer& answer) { return array_of(of(answer)); }, field.doc);
     else
-      bound.def_prop_ro(field.name, [of](Answer& answer) -> Value { return of(answer); }, field.doc);
+      bound.def_prop_ro(
+          field.name, [of](Answer& answer) -> Value { return of(answer); }, field.doc);
   });
   bound.def("__repr__", [](const Answer& answer) { return text_of(answer); })
-      .def("__eq__", [](const Answer& answer, const nb::object& other) {
-             return nb::isinstance<Answer>(other) && state_of(answer).equal(state_of(nb::cast<const Answer&>(other)));
-           }, nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def(
+          "__eq__",
+          [](const Answer& answer, const nb::object& other) {
+            return nb::isinstance<Answer>(other) && state_of(answer).equal(state_of(nb::cast<const Answer&>(other)));
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__getstate__", [](const Answer& answer) { return state_of(answer); })
-      .def("__setstate__", [](Answer& answer, const nb::tuple& state) { new (&answer) Answer(from_state<Answer>(state)); });
+      .def("__setstate__",
+           [](Answer& answer, const nb::tuple& state) { new (&answer) Answer(from_state<Answer>(state)); });
   bound.attr("__hash__") = nb::none();
   return bound;
 }
@@ -138,7 +144,8 @@ nb::object format_of() {
   else if constexpr (std::is_floating_point_v<Value>)
     return nb::str(fmt::format("f{}", sizeof(Value)).c_str());
   else if constexpr (std::is_enum_v<Value>)
-    return nb::str(fmt::format("{}{}", std::is_signed_v<std::underlying_type_t<Value>> ? "i" : "u", sizeof(Value)).c_str());
+    return nb::str(
+        fmt::format("{}{}", std::is_signed_v<std::underlying_type_t<Value>> ? "i" : "u", sizeof(Value)).c_str());
   else
     return nb::str(fmt::format("{}{}", std::is_signed_v<Value> ? "i" : "u", sizeof(Value)).c_str());
 }
@@ -171,9 +178,9 @@ Answers structured(std::vector<Answer> answers) {
   const nb::object numpy = nb::module_::import_("numpy");
   if (kept.empty()) return nb::borrow<Answers>(numpy.attr("zeros")(0, dtype_of<Answer>()));
   const std::size_t bytes = kept.size() * sizeof(Answer);
-  const nb::object memory = nb::cast(
-      nb::ndarray<nb::numpy, std::uint8_t>(reinterpret_cast<std::uint8_t*>(kept.data()), {bytes}, owner),
-      nb::rv_policy::reference);
+  const nb::object memory =
+      nb::cast(nb::ndarray<nb::numpy, std::uint8_t>(reinterpret_cast<std::uint8_t*>(kept.data()), {bytes}, owner),
+               nb::rv_policy::reference);
   return nb::borrow<Answers>(memory.attr("view")(dtype_of<Answer>()));
 }
 

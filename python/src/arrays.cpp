@@ -28,8 +28,7 @@ nb::object as_array(nb::handle given, std::string_view what, std::string_view ki
     array = numpy().attr("asarray")(given);
   } catch (const nb::python_error& error) {
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
-    throw Error(fmt::format("{}: these are no numbers of an array: {}", what,
-                            text_of(error.value())));
+    throw Error(fmt::format("{}: these are no numbers of an array: {}", what, text_of(error.value())));
   }
   const auto kind = text_of(array.attr("dtype").attr("kind"));
   // numpy makes an array of floats of an empty list.
@@ -157,8 +156,7 @@ std::vector<Index> indices_of(nb::handle given, std::size_t columns, std::string
   const auto read = [&]<class Number>(Number, const char* type) {
     const NumbersOf<Number> numbers = converted<Number>(array, type);
     const std::size_t axes = columns == 1 ? 1 : 2;
-    if (!numbers.has_shape(1, {0}) &&
-        (numbers.shape.size() != axes || (axes == 2 && numbers.shape.back() != columns)))
+    if (!numbers.has_shape(1, {0}) && (numbers.shape.size() != axes || (axes == 2 && numbers.shape.back() != columns)))
       throw Error(fmt::format("{}: an array of the shape ({}) is needed, and what is given has the shape {}", what,
                               axes == 1 ? "N," : fmt::format("N, {}", columns), shape_text(numbers.shape)));
     std::vector<Index> indices(numbers.rows() * columns);

@@ -64,7 +64,8 @@ struct NumbersOf {
   [[nodiscard]] std::size_t rows() const { return shape.empty() ? 1 : shape.front(); }
   /// It has so many axes, and the last ones are as long as told.
   [[nodiscard]] bool has_shape(std::size_t axes, std::initializer_list<std::size_t> last) const {
-    return shape.size() == axes && std::equal(last.begin(), last.end(), shape.end() - static_cast<std::ptrdiff_t>(last.size()));
+    return shape.size() == axes &&
+           std::equal(last.begin(), last.end(), shape.end() - static_cast<std::ptrdiff_t>(last.size()));
   }
 };
 using Doubles = NumbersOf<double>;

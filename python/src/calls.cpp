@@ -11,7 +11,7 @@ Interruptible::Interruptible(int threads, bool quick) {
   options_.threads = threads;
   if (quick) return;
   options_.progress = [caller = std::this_thread::get_id(), next = Clock::now() + between](std::size_t,
-                                                                                          std::size_t) mutable {
+                                                                                           std::size_t) mutable {
     if (std::this_thread::get_id() != caller || Clock::now() < next) return;
     next = Clock::now() + between;
     const nb::gil_scoped_acquire acquired;

@@ -47,7 +47,9 @@ struct Described<Relation> {
   static constexpr std::tuple fields{
       field<Relation, &Relation::kind>("kind", "Apart, touching, overlapping (two solids) or crossing (a surface)."),
       field<Relation, &Relation::containment>("containment", "Whether one contains the other."),
-      field<Relation, &Relation::side_unresolved>("side_unresolved", "Two surfaces touch, and the faces alone do not tell whether they pass through each other."),
+      field<Relation, &Relation::side_unresolved>(
+          "side_unresolved",
+          "Two surfaces touch, and the faces alone do not tell whether they pass through each other."),
       field<Relation, &Relation::a_solid>("a_solid", "A was taken as a solid."),
       field<Relation, &Relation::b_solid>("b_solid", "B was taken as a solid."),
       field<Relation, &Relation::status>("status", "How far the answer can be trusted.")};
@@ -141,7 +143,8 @@ struct Described<Contact> {
       field<Contact, &Contact::intersection, &Intersection::kind>("kind", "Point, segment or polygon."),
       field<Contact, &Contact::intersection, &Intersection::coplanar>("coplanar", "All six vertices lie in a plane."),
       field<Contact, &Contact::intersection, &Intersection::crossing>("crossing", "They pass through each other."),
-      field<Contact, &Contact::intersection, &Intersection::count>("point_count", "Corners of what they have in common.")};
+      field<Contact, &Contact::intersection, &Intersection::count>("point_count",
+                                                                   "Corners of what they have in common.")};
 };
 
 /// A contact and the corners of what its triangles have in common.
@@ -156,14 +159,17 @@ struct Described<ContactWithPoints> {
   static constexpr const char* doc = Described<Contact>::doc;
   static constexpr std::tuple fields = std::tuple{
       field<ContactWithPoints, &ContactWithPoints::contact, &Contact::triangle_a>("triangle_a", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::triangle_b>("triangle_b", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_a>("face_a", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_b>("face_b", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::kind>("kind", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::coplanar>("coplanar", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::crossing>("crossing", ""),
-                 field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::count>("point_count", ""),
-                 field<ContactWithPoints, &ContactWithPoints::points>("points", "")};
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::triangle_b>("triangle_b", ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_a>("face_a", ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_b>("face_b", ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::kind>("kind", ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::coplanar>("coplanar",
+                                                                                                             ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::crossing>("crossing",
+                                                                                                             ""),
+      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::count>("point_count",
+                                                                                                          ""),
+      field<ContactWithPoints, &ContactWithPoints::points>("points", "")};
 };
 
 template <>

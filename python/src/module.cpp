@@ -18,7 +18,8 @@ NB_MODULE(_core, module) {
   nb::exception<toccata::Error>(module, "Error", PyExc_ValueError);
   nb::enum_<toccata::Status>(module, "Status", nb::is_arithmetic(), "How far an answer can be trusted.")
       .value("exact", toccata::Status::exact, "It is the truth for the given numbers.")
-      .value("undecided", toccata::Status::undecided, "Within the stated bound of the boundary; the safe answer is given.")
+      .value("undecided", toccata::Status::undecided,
+             "Within the stated bound of the boundary; the safe answer is given.")
       .value("not_converged", toccata::Status::not_converged, "The interval is wider than promised, and still holds.");
   using namespace toccata::python;
   bind_poses(module);

@@ -23,10 +23,8 @@ namespace toccata::python {
 namespace {
 
 PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a, Solid solid_b) {
-  return {.pose_a = pose_of(pose_a, "pose_a"),
-          .pose_b = pose_of(pose_b, "pose_b"),
-          .solid_a = solid_a,
-          .solid_b = solid_b};
+  return {
+      .pose_a = pose_of(pose_a, "pose_a"), .pose_b = pose_of(pose_b, "pose_b"), .solid_a = solid_a, .solid_b = solid_b};
 }
 
 /// A question about two shapes: `ask(a, b, query)`.
@@ -53,9 +51,8 @@ void bind_question_of_length(nb::module_& module, const char* name, const char* 
         const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
         return asked_about(a.model, b.model, [&](const Model& x, const Model& y) { return ask(x, y, length, query); });
       },
-      nb::arg("a"), nb::arg("b"), nb::arg(length_name), nb::arg("pose_a") = nb::none(),
-      nb::arg("pose_b") = nb::none(), nb::kw_only(), nb::arg("solid_a") = Solid::automatic,
-      nb::arg("solid_b") = Solid::automatic, doc);
+      nb::arg("a"), nb::arg("b"), nb::arg(length_name), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(),
+      nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, doc);
 }
 
 /// So many as one of the two has; one pose stands for all.
@@ -106,7 +103,8 @@ void bind_questions(nb::module_& module, const char* name, const char* doc, Ask 
 }
 
 template <class Ask>
-void bind_questions_of_length(nb::module_& module, const char* name, const char* length_name, const char* doc, Ask ask) {
+void bind_questions_of_length(nb::module_& module, const char* name, const char* length_name, const char* doc,
+                              Ask ask) {
   module.def(
       name,
       [ask](const AnyShape& a, const AnyShape& b, double length, const PosesLike& poses_a, const PosesLike& poses_b,
@@ -160,7 +158,9 @@ shape inside a solid mesh that does not touch its surface has none: ask relation
 The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
 the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
 there are none: ask manifold.)",
-       [](const Model& a, const Model& b, const PairQuery& query) { return with_points(contacts(a, b, query), a, b, query); });
+       [](const Model& a, const Model& b, const PairQuery& query) {
+         return with_points(contacts(a, b, query), a, b, query);
+       });
   module.def(
       "self_contacts",
       [](const AnyShape& mesh, const PoseLike& pose) {
@@ -192,18 +192,23 @@ nb::object depths_of(const Manifold& manifold) {
 }
 
 void bind_manifold(nb::module_& module) {
-  nb::class_<Manifold>(module, "Manifold",
-                       "Where two convex shapes touch or overlap: up to four points that stand for the region of contact, "
-                       "rounded. Its length is the number of points, 0 when they are apart.")
+  nb::class_<Manifold>(
+      module, "Manifold",
+      "Where two convex shapes touch or overlap: up to four points that stand for the region of contact, "
+      "rounded. Its length is the number of points, 0 when they are apart.")
       .def("__len__", [](const Manifold& m) { return m.count; })
       .def_prop_ro("count", [](const Manifold& m) { return m.count; })
-      .def_prop_ro("normal", [](const Manifold& m) { return array_of(m.normal); }, "Unit, from A to B; shape (3,).")
-      .def_prop_ro("positions", [](const Manifold& m) { return nb::borrow<Floats>(rows_of(m)); },
-                   "Half way between the two surfaces, in the world; shape (count, 3).")
-      .def_prop_ro("depths", [](const Manifold& m) { return nb::borrow<Floats>(depths_of(m)); },
-                   "How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).")
+      .def_prop_ro(
+          "normal", [](const Manifold& m) { return array_of(m.normal); }, "Unit, from A to B; shape (3,).")
+      .def_prop_ro(
+          "positions", [](const Manifold& m) { return nb::borrow<Floats>(rows_of(m)); },
+          "Half way between the two surfaces, in the world; shape (count, 3).")
+      .def_prop_ro(
+          "depths", [](const Manifold& m) { return nb::borrow<Floats>(depths_of(m)); },
+          "How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).")
       .def("__repr__", [](const Manifold& m) { return fmt::format("<toccata.Manifold of {} points>", m.count); });
-  bind_question(module, "manifold", R"(Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
+  bind_question(module, "manifold",
+                R"(Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
 
 Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.)",
                 [](const Model& a, const Model& b, const PairQuery& query) { return manifold(a, b, query); });
@@ -242,9 +247,9 @@ it is not defined, as of two half-spaces.)");
         const Interruptible call(threads, is_quick(a.model) && is_quick(b.model));
         return structured(call.ask([&](const BatchOptions& options) { return cast_shape_each(batch, options); }));
       },
-      nb::arg("a"), nb::arg("motions"), nb::arg("b"), nb::arg("poses_a") = nb::none(),
-      nb::arg("poses_b") = nb::none(), nb::kw_only(), nb::arg("solid_a") = Solid::automatic,
-      nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads,
+      nb::arg("a"), nb::arg("motions"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(),
+      nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
+      nb::arg("threads") = all_threads,
       "cast_shape of many motions, shape (N, 3), and poses, N or one of each: a structured array with the members of "
       "ShapeHit.");
 }
@@ -275,29 +280,35 @@ void bind_answers(nb::module_& module) {
 
 void bind_pair_questions(nb::module_& module) {
   bind_answers(module);
-  bind_question(module, "overlap", R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
+  bind_question(module, "overlap",
+                R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
 
 Of cylinders, cones and ellipsoids a no is proved, and what is undecided counts as yes. Raises Error when a pose is not
 finite, or one that its shape may not have, and when an open mesh is asked about as a solid.)",
                 [](const Model& a, const Model& b, const PairQuery& query) { return overlap(a, b, query); });
-  bind_question(module, "relation", "How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which "
-                                    "contains the other. Raises Error like overlap.",
+  bind_question(module, "relation",
+                "How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which "
+                "contains the other. Raises Error like overlap.",
                 [](const Model& a, const Model& b, const PairQuery& query) { return relation(a, b, query); });
-  bind_question(module, "distance", R"(How far the two posed shapes are apart, certified: an interval that contains the exact distance, and the nearest points.
+  bind_question(
+      module, "distance",
+      R"(How far the two posed shapes are apart, certified: an interval that contains the exact distance, and the nearest points.
 
 0 when they meet, also when one lies within a solid. In the unit of the coordinates. Raises Error like overlap.)",
-                [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query); });
-  bind_question_of_length(module, "within_distance", "tolerance",
-                          "Is the exact distance at most the tolerance, in the unit of the coordinates? Decided exactly, and "
-                          "for less than the distance costs. Raises Error like overlap, and for a negative tolerance.",
-                          [](const Model& a, const Model& b, double tolerance, const PairQuery& query) {
-                            return within_distance(a, b, tolerance, query);
-                          });
-  bind_question_of_length(module, "distance_within", "limit",
-                          "What distance answers where it is at most the limit, else None, which is found out without it.",
-                          [](const Model& a, const Model& b, double limit, const PairQuery& query) {
-                            return distance_within(a, b, limit, query);
-                          });
+      [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query); });
+  bind_question_of_length(
+      module, "within_distance", "tolerance",
+      "Is the exact distance at most the tolerance, in the unit of the coordinates? Decided exactly, and "
+      "for less than the distance costs. Raises Error like overlap, and for a negative tolerance.",
+      [](const Model& a, const Model& b, double tolerance, const PairQuery& query) {
+        return within_distance(a, b, tolerance, query);
+      });
+  bind_question_of_length(
+      module, "distance_within", "limit",
+      "What distance answers where it is at most the limit, else None, which is found out without it.",
+      [](const Model& a, const Model& b, double limit, const PairQuery& query) {
+        return distance_within(a, b, limit, query);
+      });
   bind_question(module, "penetration", R"(How deep two solids overlap, as an interval, and a short way to part them.
 
 Of convex shapes narrow; of meshes and compounds the bracket holds as well, and may be wide. In the unit of the
@@ -307,31 +318,38 @@ coordinates. Raises Error like overlap, and where it is not defined: for surface
   bind_contacts(module);
   bind_casts(module);
 
-  bind_questions(module, "overlap_each", R"(overlap for many poses, on all cores: a bool for each.
+  bind_questions(
+      module, "overlap_each", R"(overlap for many poses, on all cores: a bool for each.
 
 Poses are N matrices of the shape (N, 4, 4) or (N, 3, 4), N translations (N, 3), N poses of scipy or toccata, or one for
 all. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
 is asked wrongly.)",
-                 [](const Batch<PairQuery>& batch, const BatchOptions& options) { return overlap_each(batch, options); });
-  bind_questions(module, "relation_each", "relation for many poses, on all cores: a structured array with the members of "
-                                          "Relation, kind and containment as numbers of their enumerations.",
-                 [](const Batch<PairQuery>& batch, const BatchOptions& options) { return relation_each(batch, options); });
-  bind_questions(module, "distance_each", "distance for many poses, on all cores: a structured array with the members of "
-                                          "Distance.",
-                 [](const Batch<PairQuery>& batch, const BatchOptions& options) { return distance_each(batch, options); });
+      [](const Batch<PairQuery>& batch, const BatchOptions& options) { return overlap_each(batch, options); });
+  bind_questions(
+      module, "relation_each",
+      "relation for many poses, on all cores: a structured array with the members of "
+      "Relation, kind and containment as numbers of their enumerations.",
+      [](const Batch<PairQuery>& batch, const BatchOptions& options) { return relation_each(batch, options); });
+  bind_questions(
+      module, "distance_each",
+      "distance for many poses, on all cores: a structured array with the members of "
+      "Distance.",
+      [](const Batch<PairQuery>& batch, const BatchOptions& options) { return distance_each(batch, options); });
   bind_questions_of_length(module, "within_distance_each", "tolerance",
                            "within_distance for many poses, on all cores: a bool for each.",
                            [](const Batch<PairQuery>& batch, double tolerance, const BatchOptions& options) {
                              return within_distance_each(batch, tolerance, options);
                            });
-  bind_questions(module, "penetration_each", "penetration for many poses, on all cores: a structured array with the members of "
-                                             "Penetration.",
-                 [](const Batch<PairQuery>& batch, const BatchOptions& options) { return penetration_each(batch, options); });
-  bind_questions(module, "count_contacts_each", "How many triangles and faces meet, for many poses: a structured array with "
-                                                "triangle_pairs and face_pairs.",
-                 [](const Batch<PairQuery>& batch, const BatchOptions& options) {
-                   return count_contacts_each(batch, options);
-                 });
+  bind_questions(
+      module, "penetration_each",
+      "penetration for many poses, on all cores: a structured array with the members of "
+      "Penetration.",
+      [](const Batch<PairQuery>& batch, const BatchOptions& options) { return penetration_each(batch, options); });
+  bind_questions(
+      module, "count_contacts_each",
+      "How many triangles and faces meet, for many poses: a structured array with "
+      "triangle_pairs and face_pairs.",
+      [](const Batch<PairQuery>& batch, const BatchOptions& options) { return count_contacts_each(batch, options); });
 }
 
 }  // namespace toccata::python

@@ -28,8 +28,9 @@ template <class Ask>
 Answers asked_of_points(const ArrayLike& points, const AnyShape& shape, int threads, const Ask& ask) {
   const std::vector<Vec3> given = vectors_of(points, "points");
   const Interruptible call(threads, false);
-  return structured(call.ask(
-      [&, model = shape.model](const BatchOptions& options) { return ask(std::span<const Vec3>(given), model, options); }));
+  return structured(call.ask([&, model = shape.model](const BatchOptions& options) {
+    return ask(std::span<const Vec3>(given), model, options);
+  }));
 }
 
 void bind_nearest(nb::module_& module) {
@@ -107,7 +108,8 @@ mesh is asked by SignBy.winding_number.)");
       },
       nb::arg("points"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
       nb::kw_only(), nb::arg("threads") = all_threads,
-      "signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance.");
+      "signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of "
+      "SignedDistance.");
   module.def(
       "locate",
       [](const ArrayLike& point, const AnyShape& solid, const PoseLike& pose) {
@@ -118,7 +120,8 @@ mesh is asked by SignBy.winding_number.)");
         return std::pair(found.side, found.winding_number);
       },
       nb::arg("point"), nb::arg("solid"), nb::arg("pose") = nb::none(),
-      "Where a point lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error for an "
+      "Where a point lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error "
+      "for an "
       "open mesh.");
   module.def(
       "generalized_winding_number",
@@ -129,21 +132,22 @@ mesh is asked by SignBy.winding_number.)");
           return generalized_winding_number(at, model, placed, {.tolerance = tolerance});
         });
       },
-      nb::arg("point"), nb::arg("mesh"), nb::arg("pose") = nb::none(), nb::arg("tolerance") = WindingOptions{}.tolerance,
-      "How much of the sphere of directions around a point a mesh covers: about 1 inside, 0 outside, and between where holes "
+      nb::arg("point"), nb::arg("mesh"), nb::arg("pose") = nb::none(),
+      nb::arg("tolerance") = WindingOptions{}.tolerance,
+      "How much of the sphere of directions around a point a mesh covers: about 1 inside, 0 outside, and between where "
+      "holes "
       "are. Off by at most the tolerance, as an interval. Raises Error for what is no mesh.");
   module.def(
       "generalized_winding_number_each",
       [](const ArrayLike& points, const AnyShape& mesh, const PoseLike& pose, double tolerance, int threads) {
         const Pose placed = pose_of(pose, "pose");
-        return asked_of_points(points, mesh, threads,
-                               [&](std::span<const Vec3> given, const Model& model, const BatchOptions& options) {
-                                 return generalized_winding_number_each(given, model, placed, {.tolerance = tolerance},
-                                                                        options);
-                               });
+        return asked_of_points(
+            points, mesh, threads, [&](std::span<const Vec3> given, const Model& model, const BatchOptions& options) {
+              return generalized_winding_number_each(given, model, placed, {.tolerance = tolerance}, options);
+            });
       },
-      nb::arg("points"), nb::arg("mesh"), nb::arg("pose") = nb::none(), nb::arg("tolerance") = WindingOptions{}.tolerance,
-      nb::kw_only(), nb::arg("threads") = all_threads,
+      nb::arg("points"), nb::arg("mesh"), nb::arg("pose") = nb::none(),
+      nb::arg("tolerance") = WindingOptions{}.tolerance, nb::kw_only(), nb::arg("threads") = all_threads,
       "The same of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber.");
 }
 
@@ -153,8 +157,7 @@ void bind_rays(nb::module_& module) {
       [](const ArrayLike& origin, const ArrayLike& motion, const AnyShape& target, const PoseLike& pose, Solid solid) {
         const Vec3 from = vector_of(origin, "origin"), way = vector_of(motion, "motion");
         const Pose placed = pose_of(pose, "pose");
-        return asked_about(target.model,
-                           [&](const Model& model) { return cast_ray(from, way, model, placed, solid); });
+        return asked_about(target.model, [&](const Model& model) { return cast_ray(from, way, model, placed, solid); });
       },
       nb::arg("origin"), nb::arg("motion"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
       nb::arg("solid") = Solid::automatic,
@@ -174,13 +177,13 @@ finite or the motion is zero.)");
         std::vector<RayQuery> queries(from.size());
         for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = {from[i], ways[i], placed, solid};
         const Interruptible call(threads, is_quick(target.model));
-        return structured(call.ask([&, model = target.model](const BatchOptions& options) {
-          return cast_ray_each(queries, model, options);
-        }));
+        return structured(call.ask(
+            [&, model = target.model](const BatchOptions& options) { return cast_ray_each(queries, model, options); }));
       },
       nb::arg("origins"), nb::arg("motions"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
       nb::arg("solid") = Solid::automatic, nb::arg("threads") = all_threads,
-      "cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the members of "
+      "cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the "
+      "members of "
       "RayHit.");
 }
 

@@ -29,9 +29,8 @@ Floats transformed(const Pose& pose, const ArrayLike& points) {
 Pose composed(const Pose& outer, const Pose& inner) { return outer * inner; }
 
 nb::tuple parts_of(const Pose& pose) {
-  return nb::make_tuple(
-      nb::make_tuple(tuple_of(pose.linear[0]), tuple_of(pose.linear[1]), tuple_of(pose.linear[2])),
-      tuple_of(pose.offset));
+  return nb::make_tuple(nb::make_tuple(tuple_of(pose.linear[0]), tuple_of(pose.linear[1]), tuple_of(pose.linear[2])),
+                        tuple_of(pose.offset));
 }
 
 }  // namespace
@@ -68,15 +67,17 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
           "rotation",
           [](const ArrayLike& axis, double degrees) { return Pose::rotation(vector_of(axis, "axis"), degrees); },
           nb::arg("axis"), nb::arg("degrees"),
-          "Turns counter-clockwise about an axis through the origin, shape (3,), of any length but 0. Quarter turns about "
+          "Turns counter-clockwise about an axis through the origin, shape (3,), of any length but 0. Quarter turns "
+          "about "
           "coordinate axes are exact.")
       .def_static(
           "from_quaternion",
           [](const ArrayLike& quaternion, const ArrayLike& translation) {
             const Doubles numbers = doubles(quaternion, "quaternion");
             if (!numbers.has_shape(1, {4}))
-              throw Error(fmt::format("quaternion: four numbers x, y, z, w are needed, and what is given has the shape {}",
-                                      shape_text(numbers.shape)));
+              throw Error(
+                  fmt::format("quaternion: four numbers x, y, z, w are needed, and what is given has the shape {}",
+                              shape_text(numbers.shape)));
             const double* q = numbers.data;
             return Pose::rigid({q[0], q[1], q[2], q[3]}, vector_of(translation, "translation"));
           },
@@ -109,8 +110,7 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
       .def("transform", &transformed, nb::arg("points"),
            "Where the pose brings a point, shape (3,), or points, shape (N, 3). Rounded as the truth page says "
            "(docs/truth.md).")
-      .def(
-          "__mul__", &composed, nb::arg("inner"), nb::is_operator(), "The inner pose first, then this one; rounded.")
+      .def("__mul__", &composed, nb::arg("inner"), nb::is_operator(), "The inner pose first, then this one; rounded.")
       .def("__matmul__", &composed, nb::arg("inner"), nb::is_operator(), "The same as *.")
       .def(
           "__eq__",

@@ -34,14 +34,17 @@ struct Described<MeshHealth> {
       field<MeshHealth, &MeshHealth::triangles>("triangles", ""),
       field<MeshHealth, &MeshHealth::faces>("faces", ""),
       field<MeshHealth, &MeshHealth::components>("components", "Parts that are connected through vertices."),
-      field<MeshHealth, &MeshHealth::unbalanced_edges>("unbalanced_edges", "Used unequally often in both directions; 0 means closed."),
+      field<MeshHealth, &MeshHealth::unbalanced_edges>("unbalanced_edges",
+                                                       "Used unequally often in both directions; 0 means closed."),
       field<MeshHealth, &MeshHealth::boundary_edges>("boundary_edges", "Used by one triangle."),
       field<MeshHealth, &MeshHealth::non_manifold_edges>("non_manifold_edges", "Used by more than two triangles."),
       field<MeshHealth, &MeshHealth::flipped_edges>("flipped_edges", "Used by two triangles in the same direction."),
       field<MeshHealth, &MeshHealth::degenerate_triangles>("degenerate_triangles", "Without area, exactly."),
-      field<MeshHealth, &MeshHealth::duplicate_triangles>("duplicate_triangles", "The same vertices as an earlier one."),
+      field<MeshHealth, &MeshHealth::duplicate_triangles>("duplicate_triangles",
+                                                          "The same vertices as an earlier one."),
       field<MeshHealth, &MeshHealth::closed>("closed", "It may be a solid."),
-      field<MeshHealth, &MeshHealth::signed_volume>("signed_volume", "Of a closed mesh; negative when it is inside out."),
+      field<MeshHealth, &MeshHealth::signed_volume>("signed_volume",
+                                                    "Of a closed mesh; negative when it is inside out."),
       field<MeshHealth, &MeshHealth::lower>("lower", "The least corner of the box around it."),
       field<MeshHealth, &MeshHealth::upper>("upper", "The greatest corner.")};
 };
@@ -165,8 +168,9 @@ bool same(const Triangle& a, const Triangle& b) { return a == b; }
 bool same(const ConvexHull& a, const ConvexHull& b) { return vertices_of(a) == vertices_of(b); }
 bool same(const Rounded& a, const Rounded& b) {
   return a.radius() == b.radius() && a.core().index() == b.core().index() &&
-         std::visit([&](const auto& core) { return same(core, std::get<std::remove_cvref_t<decltype(core)>>(b.core())); },
-                    a.core());
+         std::visit(
+             [&](const auto& core) { return same(core, std::get<std::remove_cvref_t<decltype(core)>>(b.core())); },
+             a.core());
 }
 bool same(const MeshPointer& a, const MeshPointer& b) {
   if (a == b) return true;
@@ -176,9 +180,7 @@ bool same(const MeshPointer& a, const MeshPointer& b) {
     if (a->face_of(i) != b->face_of(i)) return false;
   return true;
 }
-bool same(const HeightField& a, const HeightField& b) {
-  return a.columns() == b.columns() && same(a.mesh(), b.mesh());
-}
+bool same(const HeightField& a, const HeightField& b) { return a.columns() == b.columns() && same(a.mesh(), b.mesh()); }
 bool same(const Compound& a, const Compound& b) {
   return std::ranges::equal(a.parts(), b.parts(), [](const CompoundPart& x, const CompoundPart& y) {
     return x.pose == y.pose && equal(x.shape, y.shape);
@@ -187,7 +189,8 @@ bool same(const Compound& a, const Compound& b) {
 
 bool equal(const Shape& a, const Shape& b) {
   return a.index() == b.index() &&
-         std::visit([&](const auto& shape) { return same(shape, std::get<std::remove_cvref_t<decltype(shape)>>(b)); }, a);
+         std::visit([&](const auto& shape) { return same(shape, std::get<std::remove_cvref_t<decltype(shape)>>(b)); },
+                    a);
 }
 
 // Meshes.
@@ -217,8 +220,8 @@ void make_mesh(Mesh* place, nb::handle vertices, nb::handle faces, nb::handle fa
   std::vector<std::array<Index, 3>> triangles(corners.size() / 3);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     triangles[i] = {corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]};
-  Model model = without_lock(
-      [&] { return Model(TriangleMesh(std::move(positions), std::move(triangles), std::move(numbers))); });
+  Model model =
+      without_lock([&] { return Model(TriangleMesh(std::move(positions), std::move(triangles), std::move(numbers))); });
   new (place) Mesh{AnyShape{std::move(model)}};
 }
 
@@ -275,9 +278,11 @@ finite, an index out of range, or there is no triangle.)")
             return nb::borrow<Indices>(array_over<Index>(faces_of_triangles(mesh.model.mesh()), {}));
           },
           "The face that each triangle belongs to, shape (M,): a new array.")
-      .def_prop_ro("triangle_count", [](const Mesh& mesh) { return mesh.model.mesh().triangle_count(); }, "M.")
-      .def_prop_ro("closed", [](const Mesh& mesh) { return mesh.model.closed(); },
-                   "Every edge is used equally often in both directions: it may be taken as a solid.")
+      .def_prop_ro(
+          "triangle_count", [](const Mesh& mesh) { return mesh.model.mesh().triangle_count(); }, "M.")
+      .def_prop_ro(
+          "closed", [](const Mesh& mesh) { return mesh.model.closed(); },
+          "Every edge is used equally often in both directions: it may be taken as a solid.")
       .def_prop_ro(
           "bounds",
           [](const Mesh& mesh) {
@@ -285,14 +290,16 @@ finite, an index out of range, or there is no triangle.)")
             return nb::borrow<Floats>(array_over<double>(std::vector<Vec3>{box.lower, box.upper}, {3}));
           },
           "The least and the greatest corner of the box around all vertices, shape (2, 3).")
-      .def("health", [](const Mesh& mesh) { return inspect(mesh.model.mesh()); },
-           "What the mesh is: holes, flipped faces, triangles without area. Repairs nothing.")
       .def(
-          "update",
-          [](Mesh& mesh, const ArrayLike& vertices) { mesh.model.deform(vectors_of(vertices, "vertices")); },
+          "health", [](const Mesh& mesh) { return inspect(mesh.model.mesh()); },
+          "What the mesh is: holes, flipped faces, triangles without area. Repairs nothing.")
+      .def(
+          "update", [](Mesh& mesh, const ArrayLike& vertices) { mesh.model.deform(vectors_of(vertices, "vertices")); },
           nb::arg("vertices"),
-          "Gives the mesh other vertices, as many as before, shape (N, 3): the boxes of its tree are put around them, and "
-          "no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises Error "
+          "Gives the mesh other vertices, as many as before, shape (N, 3): the boxes of its tree are put around them, "
+          "and "
+          "no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises "
+          "Error "
           "for another number of vertices and where one is not finite; the mesh then stays as it was.")
       .def(
           "write", [](const Mesh& mesh, const std::string& path) { write_mesh(mesh.model.mesh(), path); },
@@ -303,12 +310,12 @@ finite, an index out of range, or there is no triangle.)")
              return fmt::format("<toccata.Mesh of {} vertices and {} triangles>", triangles.vertices().size(),
                                 triangles.triangle_count());
            })
-      .def("__reduce__",
-           [](const Mesh& mesh) { return nb::make_tuple(nb::type<Mesh>(), mesh_arguments(mesh)); })
+      .def("__reduce__", [](const Mesh& mesh) { return nb::make_tuple(nb::type<Mesh>(), mesh_arguments(mesh)); })
       .attr("__hash__") = nb::none();
-  module.def("load_mesh", &mesh_of_file, nb::arg("path"),
-             "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, nothing repaired. Raises "
-             "Error naming file and line.");
+  module.def(
+      "load_mesh", &mesh_of_file, nb::arg("path"),
+      "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, nothing repaired. Raises "
+      "Error naming file and line.");
   module.def("generate_mesh", &generated, nb::arg("name"), nb::arg("parameters"),
              "A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters "
              "(docs/guide/generated-meshes.md): the same bits everywhere. Raises Error for an unknown name.",
@@ -341,7 +348,8 @@ CompoundPart part_of(nb::handle given, std::size_t i) {
     shape = given[0];
     pose = pose_of(given[1], fmt::format("part {}", i));
   }
-  if (!nb::isinstance<AnyShape>(shape)) throw Error(fmt::format("part {}: a shape is needed, or a pair (shape, pose)", i));
+  if (!nb::isinstance<AnyShape>(shape))
+    throw Error(fmt::format("part {}: a shape is needed, or a pair (shape, pose)", i));
   return {nb::cast<const AnyShape&>(shape).model.shape(), pose};
 }
 
@@ -363,8 +371,9 @@ HeightField height_field_of(nb::handle heights, nb::handle spacing) {
   const Doubles numbers = doubles(heights, "heights");
   const Doubles steps = doubles(spacing, "spacing");
   if (numbers.shape.size() != 2)
-    throw Error(fmt::format("heights: an array of the shape (rows, columns) is needed, and what is given has the shape {}",
-                            shape_text(numbers.shape)));
+    throw Error(
+        fmt::format("heights: an array of the shape (rows, columns) is needed, and what is given has the shape {}",
+                    shape_text(numbers.shape)));
   if (!steps.has_shape(1, {2})) throw Error("spacing: two numbers are needed, along x and along y");
   const std::size_t rows = numbers.shape[0], columns = numbers.shape[1];
   return {static_cast<Index>(columns), static_cast<Index>(rows), steps.data[0], steps.data[1],
@@ -386,9 +395,10 @@ nb::object vertex_array(const Triangle& triangle) {
 }
 
 void bind_triangle(nb::module_& module) {
-  nb::class_<Triple, AnyShape>(module, "Triangle",
-                               "A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), "
-                               "in any unit. Raises Error when a number is not finite.")
+  nb::class_<Triple, AnyShape>(
+      module, "Triangle",
+      "A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), "
+      "in any unit. Raises Error when a number is not finite.")
       .def(
           "__init__",
           [](Triple* place, const ArrayLike& vertices) {
@@ -402,8 +412,9 @@ void bind_triangle(nb::module_& module) {
       .def("__repr__",
            [](const Triple& t) {
              const Triangle& triangle = shape_of<Triangle>(t);
-             return fmt::format("Triangle({})", nb::cast<std::string>(nb::repr(nb::make_tuple(
-                                                    tuple_of(triangle[0]), tuple_of(triangle[1]), tuple_of(triangle[2])))));
+             return fmt::format("Triangle({})",
+                                nb::cast<std::string>(nb::repr(nb::make_tuple(
+                                    tuple_of(triangle[0]), tuple_of(triangle[1]), tuple_of(triangle[2])))));
            })
       .def("__reduce__",
            [](const Triple& t) {
@@ -413,11 +424,12 @@ void bind_triangle(nb::module_& module) {
 }
 
 void bind_hull(nb::module_& module) {
-  nb::class_<Hull, AnyShape>(
-      module, "ConvexHull",
-      "The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, \"The "
-      "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. Raises Error when there is no "
-      "point, or one is not finite.")
+  nb::class_<Hull, AnyShape>(module, "ConvexHull",
+                             "The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. "
+                             "Dobkin, H. Huhdanpaa, \"The "
+                             "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
+                             "Raises Error when there is no "
+                             "point, or one is not finite.")
       .def(
           "__init__",
           [](Hull* place, const ArrayLike& points) {
@@ -426,10 +438,12 @@ void bind_hull(nb::module_& module) {
             new (place) Hull{AnyShape{std::move(model)}};
           },
           nb::arg("points"))
-      .def_prop_ro("vertices", [](const Hull& hull) { return nb::borrow<Floats>(vertex_array(shape_of<ConvexHull>(hull))); },
-                   "Those of the points that are extreme, in their order, shape (N, 3): a new array.")
-      .def_prop_ro("dimension", [](const Hull& hull) { return shape_of<ConvexHull>(hull).dimension(); },
-                   "0: a point, 1: a segment, 2: a flat polygon, 3: a solid.")
+      .def_prop_ro(
+          "vertices", [](const Hull& hull) { return nb::borrow<Floats>(vertex_array(shape_of<ConvexHull>(hull))); },
+          "Those of the points that are extreme, in their order, shape (N, 3): a new array.")
+      .def_prop_ro(
+          "dimension", [](const Hull& hull) { return shape_of<ConvexHull>(hull).dimension(); },
+          "0: a point, 1: a segment, 2: a flat polygon, 3: a solid.")
       .def("__repr__",
            [](const Hull& hull) {
              return fmt::format("<toccata.ConvexHull of {} vertices>", shape_of<ConvexHull>(hull).vertex_count());
@@ -455,8 +469,9 @@ void bind_height_field(nb::module_& module) {
             new (place) Field{AnyShape{std::move(model)}};
           },
           nb::arg("heights"), nb::arg("spacing") = nb::make_tuple(1.0, 1.0))
-      .def_prop_ro("heights", [](const Field& field) { return nb::borrow<Floats>(heights_of(shape_of<HeightField>(field))); },
-                   "Shape (rows, columns): a new array.")
+      .def_prop_ro(
+          "heights", [](const Field& field) { return nb::borrow<Floats>(heights_of(shape_of<HeightField>(field))); },
+          "Shape (rows, columns): a new array.")
       .def_prop_ro("spacing",
                    [](const Field& field) {
                      const HeightField& shape = shape_of<HeightField>(field);
@@ -470,8 +485,9 @@ void bind_height_field(nb::module_& module) {
       .def("__reduce__",
            [](const Field& field) {
              const HeightField& shape = shape_of<HeightField>(field);
-             return nb::make_tuple(nb::type<Field>(),
-                                   nb::make_tuple(heights_of(shape), nb::make_tuple(shape.spacing_x(), shape.spacing_y())));
+             return nb::make_tuple(
+                 nb::type<Field>(),
+                 nb::make_tuple(heights_of(shape), nb::make_tuple(shape.spacing_x(), shape.spacing_y())));
            })
       .attr("__hash__") = nb::none();
 }
@@ -480,9 +496,10 @@ void bind_rounded(nb::module_& module) {
   const auto core = [](const Round& round) {
     return std::visit([](const auto& shape) { return shape_object(Model(shape)); }, shape_of<Rounded>(round).core());
   };
-  nb::class_<Round, AnyShape>(module, "Rounded",
-                              "A point, segment, triangle, box or convex hull grown by a ball: all points within the radius "
-                              "of it. Its pose may not deform it. Raises Error when the radius is not positive.")
+  nb::class_<Round, AnyShape>(
+      module, "Rounded",
+      "A point, segment, triangle, box or convex hull grown by a ball: all points within the radius "
+      "of it. Its pose may not deform it. Raises Error when the radius is not positive.")
       .def(
           "__init__",
           [](Round* place, const AnyShape& shape, double radius) {
@@ -504,19 +521,22 @@ void bind_rounded(nb::module_& module) {
 }
 
 void bind_compound(nb::module_& module) {
-  nb::class_<Parts, AnyShape>(module, "Compound",
-                              "The union of shapes, each a shape or a pair (shape, pose); solid if all parts are. Raises "
-                              "Error when there is none, and for a pose that is not finite.")
+  nb::class_<Parts, AnyShape>(
+      module, "Compound",
+      "The union of shapes, each a shape or a pair (shape, pose); solid if all parts are. Raises "
+      "Error when there is none, and for a pose that is not finite.")
       .def(
           "__init__",
           [](Parts* place, const nb::object& parts) {
-            if (!nb::hasattr(parts, "__iter__")) throw Error("parts: a list of shapes is needed, or of pairs (shape, pose)");
+            if (!nb::hasattr(parts, "__iter__"))
+              throw Error("parts: a list of shapes is needed, or of pairs (shape, pose)");
             const Compound compound = compound_of(parts);
             Model model = without_lock([&] { return Model(compound); });
             new (place) Parts{AnyShape{std::move(model)}};
           },
           nb::arg("parts"),
-          nb::sig("def __init__(self, parts: collections.abc.Iterable[Shape | tuple[Shape, toccata._typing.PoseLike | None]]) -> None"))
+          nb::sig("def __init__(self, parts: collections.abc.Iterable[Shape | tuple[Shape, toccata._typing.PoseLike | "
+                  "None]]) -> None"))
       .def_prop_ro("parts", &parts_of, "Pairs (shape, pose).", nb::sig("def parts(self) -> list[tuple[Shape, Pose]]"))
       .def("__repr__",
            [](const Parts& compound) {
@@ -539,32 +559,57 @@ void bind_shapes(nb::module_& module) {
       .value("all", Solid::all, "It must be a solid: an open mesh is an error.")
       .value("none", Solid::none, "A surface.");
   bind_answer<MeshHealth>(module);
-  nb::class_<AnyShape>(module, "Shape",
-                       "What all shapes have in common. A shape is made once, may be shared by threads, and is asked about "
-                       "under any pose. Lengths have no unit: they come back in that of the numbers given.")
-      .def_prop_ro("kind", [](const AnyShape& shape) { return std::string(name_of(shape.model.shape())); },
-                   "'sphere', 'convex hull', 'mesh' …")
-      .def_prop_ro("element_count", [](const AnyShape& shape) { return shape.model.element_count(); },
-                   "Triangles of a mesh or height field, of a compound those of its parts, else 1.")
+  nb::class_<AnyShape>(
+      module, "Shape",
+      "What all shapes have in common. A shape is made once, may be shared by threads, and is asked about "
+      "under any pose. Lengths have no unit: they come back in that of the numbers given.")
+      .def_prop_ro(
+          "kind", [](const AnyShape& shape) { return std::string(name_of(shape.model.shape())); },
+          "'sphere', 'convex hull', 'mesh' …")
+      .def_prop_ro(
+          "element_count", [](const AnyShape& shape) { return shape.model.element_count(); },
+          "Triangles of a mesh or height field, of a compound those of its parts, else 1.")
       .def_prop_ro("face_count", [](const AnyShape& shape) { return shape.model.face_count(); })
-      .def_prop_ro("solid", [](const AnyShape& shape) { return taken_as_solid(shape.model, Solid::automatic); },
-                   "It has an interior, and is no mere surface.")
-      .def("__copy__", [](const AnyShape& shape) { return shape_object(shape.model); }, nb::sig("def __copy__(self) -> Shape"))
-      .def("__deepcopy__", [](const AnyShape& shape, const nb::dict&) { return shape_object(shape.model); },
-           nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> Shape"))
-      .def("__eq__", [](const AnyShape& a, const nb::object& other) {
-             return nb::isinstance<AnyShape>(other) && equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
-           }, nb::sig("def __eq__(self, other: object, /) -> bool"));
+      .def_prop_ro(
+          "solid", [](const AnyShape& shape) { return taken_as_solid(shape.model, Solid::automatic); },
+          "It has an interior, and is no mere surface.")
+      .def(
+          "__copy__", [](const AnyShape& shape) { return shape_object(shape.model); },
+          nb::sig("def __copy__(self) -> Shape"))
+      .def(
+          "__deepcopy__", [](const AnyShape& shape, const nb::dict&) { return shape_object(shape.model); },
+          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> Shape"))
+      .def(
+          "__eq__",
+          [](const AnyShape& a, const nb::object& other) {
+            return nb::isinstance<AnyShape>(other) &&
+                   equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"));
   bind_described<Point>(module, "Point", "One point: a surface. Raises Error when a number is not finite.");
-  bind_described<Segment>(module, "Segment", "A segment between two points: a surface. Raises Error when a number is not finite.");
+  bind_described<Segment>(module, "Segment",
+                          "A segment between two points: a surface. Raises Error when a number is not finite.");
   bind_triangle(module);
-  bind_described<Sphere>(module, "Sphere", "A solid ball. Its pose may not deform it. Raises Error when the radius is not positive.");
-  bind_described<Box>(module, "Box", "A solid box along the axes of its own frame; half extents from the centre to the faces. Raises Error when one is not positive.");
-  bind_described<Capsule>(module, "Capsule", "All points within the radius of a segment. Its pose may not deform it. Raises Error when the radius is not positive.");
-  bind_described<HalfSpace>(module, "HalfSpace", "All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and without end. Its pose may not deform it.");
-  bind_described<Cylinder>(module, "Cylinder", "A solid cylinder around the z axis from -half_height to half_height. Raises Error when a number is not positive.");
-  bind_described<Cone>(module, "Cone", "A solid cone around the z axis, its base at -half_height and its tip at half_height. Raises Error when a number is not positive.");
-  bind_described<Ellipsoid>(module, "Ellipsoid", "A solid ellipsoid around the origin, its half axes along the axes. Raises Error when one is not positive.");
+  bind_described<Sphere>(module, "Sphere",
+                         "A solid ball. Its pose may not deform it. Raises Error when the radius is not positive.");
+  bind_described<Box>(module, "Box",
+                      "A solid box along the axes of its own frame; half extents from the centre to the faces. Raises "
+                      "Error when one is not positive.");
+  bind_described<Capsule>(module, "Capsule",
+                          "All points within the radius of a segment. Its pose may not deform it. Raises Error when "
+                          "the radius is not positive.");
+  bind_described<HalfSpace>(module, "HalfSpace",
+                            "All that lies on the side of a plane away from the normal, which may have any length but "
+                            "0: solid, and without end. Its pose may not deform it.");
+  bind_described<Cylinder>(module, "Cylinder",
+                           "A solid cylinder around the z axis from -half_height to half_height. Raises Error when a "
+                           "number is not positive.");
+  bind_described<Cone>(module, "Cone",
+                       "A solid cone around the z axis, its base at -half_height and its tip at half_height. Raises "
+                       "Error when a number is not positive.");
+  bind_described<Ellipsoid>(
+      module, "Ellipsoid",
+      "A solid ellipsoid around the origin, its half axes along the axes. Raises Error when one is not positive.");
   bind_hull(module);
   bind_rounded(module);
   bind_height_field(module);
