@@ -89,7 +89,7 @@ int code_of(const CheckReport& report, FailOn fail_on) {
 int run_check_poses(const CheckCommand& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
-  warn_of_open_meshes(input);
+  warn_of_open_meshes(input, arguments.threads);
   std::vector<std::string> left_out;
   const CheckPosesQuestion question{read_queries(input, arguments), arguments.touching, arguments.faces,
                                     arguments.penetration, depth_options(arguments, left_out)};
@@ -140,7 +140,7 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
         fmt::format("{} holds one object; a check needs two: name another file or a scene with more objects, "
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
-  warn_of_open_meshes(input);
+  warn_of_open_meshes(input, arguments.threads);
   const CheckQuestion question = question_of(arguments, loaded);
   const SceneAnswer answer = answer_to(question, input, arguments, "checking");
   return code_of(std::get<CheckReport>(answer), arguments.fail_on);

@@ -77,10 +77,10 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
   return queries;
 }
 
-void warn_of_open_meshes(CheckInput& input) {
+void warn_of_open_meshes(CheckInput& input, int threads) {
   constexpr std::size_t most_names = 5;
   // What takes time is found out for all at once.
-  parallel_for(input.models.size(), all_threads, [&](std::size_t i) {
+  parallel_for(input.models.size(), threads, [&](std::size_t i) {
     const SceneInstance& posed = input.models[i];
     if (posed.solid == Solid::automatic && is_mesh(posed.model)) static_cast<void>(posed.model.closed());
   });

@@ -182,7 +182,7 @@ int run_view(const ViewArguments& arguments) {
   require_view(target, arguments);
   Drawn drawn = drawn_of(arguments);
   if (arguments.up.empty()) target.options.up = up_of(drawn.files);
-  if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input);
+  if (is_about_contact(drawn.question)) warn_of_open_meshes(drawn.input, arguments.threads);
   require_drawable(target.options, drawn);
   const SceneAnswer answer = ask_for(drawn.input, drawn.question, arguments, {"asking", true});
   const std::string difference = difference_of(drawn, answer);

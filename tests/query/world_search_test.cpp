@@ -78,30 +78,26 @@ TEST(WorldSearch, NothingThatMeetsAHalfSpaceIsLost) {
   EXPECT_LT(shown, all * 3 / 4) << "the tree tells few apart";
 }
 
-/// A body through or beside a vertex of the mesh, long and thin or flat, and across the axes.
-struct ThinBody {
-  std::variant<PosedPolytope, PosedQuadric> posed;
-};
-
-ThinBody thin_body(const Vec3& at, double size, Random& random) {
+/// Through or beside a vertex of the mesh, long and thin or flat, and across the axes.
+std::variant<PosedPolytope, PosedQuadric> thin_body(const Vec3& at, double size, Random& random) {
   const Vec3 way = test::random_vector(random, size), across = test::random_vector(random, size);
   Pose pose{test::random_rotation(random), at};
   switch (random.below(7)) {
     case 0:
-      return {PosedPolytope(Segment{at - way, at + way})};
+      return PosedPolytope(Segment{at - way, at + way});
     case 1:
-      return {PosedPolytope(Segment{at, at + way})};
+      return PosedPolytope(Segment{at, at + way});
     case 2:
-      return {PosedPolytope(Triangle{{at - way, at + way, at + across}})};
+      return PosedPolytope(Triangle{{at - way, at + way, at + across}});
     case 3:
-      return {PosedPolytope(Capsule({-size, 0, 0}, {size, 0, 0}, 0.01 * size), pose)};
+      return PosedPolytope(Capsule({-size, 0, 0}, {size, 0, 0}, 0.01 * size), pose);
     case 4:
-      return {PosedPolytope(Box({size, 0.01 * size, 0.02 * size}), pose)};
+      return PosedPolytope(Box({size, 0.01 * size, 0.02 * size}), pose);
     case 5:
-      return {PosedQuadric(Cylinder(0.01 * size, size), pose)};
+      return PosedQuadric(Cylinder(0.01 * size, size), pose);
     default:
       pose.linear[0] = pose.linear[0] + 0.2 * pose.linear[1];  // no rotation
-      return {PosedQuadric(Ellipsoid({0.01 * size, size, size}), pose)};
+      return PosedQuadric(Ellipsoid({0.01 * size, size, size}), pose);
   }
 }
 
@@ -115,12 +111,12 @@ TEST(WorldSearch, NothingThatMeetsAThinBodyIsLost) {
       const PosedMesh mesh(Model(test::random_soup(random, 40, 0.2, seed % 2 == 0 ? 4 : 0)), pose);
       const Aabb& all = mesh.box();
       const double size = random.between(0.05, 1) * largest_magnitude(all.upper - all.lower);
-      const ThinBody body = thin_body(random_vertex(mesh, random), size, random);
+      const auto body = thin_body(random_vertex(mesh, random), size, random);
       std::visit(
           [&](const auto& posed) {
             const Aabb box = world_box(posed);
             std::vector<Index> visited;
-            visit_triangles_near(mesh, box, BodyRanges(posed, box), [&](Index triangle) {
+            visit_triangles_near(mesh, box, ranges_of(posed, box), [&](Index triangle) {
               visited.push_back(triangle);
               return true;
             });
@@ -133,7 +129,7 @@ TEST(WorldSearch, NothingThatMeetsAThinBodyIsLost) {
             shown += visited.size();
             of_boxes += near(mesh, box).size();
           },
-          body.posed);
+          body);
     }
   EXPECT_GT(meeting, 60U);
   EXPECT_LT(shown, of_boxes / 2) << "the directions tell few apart";
@@ -145,7 +141,7 @@ TEST(WorldSearch, ASegmentAcrossAFineMeshLooksAtFewTriangles) {
   const PosedPolytope segment(Segment{{-1, -1, -1}, {1, 1, 1}});
   const Aabb box = world_box(segment);
   std::size_t seen = 0;
-  visit_triangles_near(mesh, box, BodyRanges(segment, box), [&](Index) {
+  visit_triangles_near(mesh, box, ranges_of(segment, box), [&](Index) {
     ++seen;
     return true;
   });

@@ -8,6 +8,7 @@
 #include "math/bounded_number.hpp"
 #include "math/constants.hpp"
 #include "narrow/convex/rounded_depth.hpp"
+#include "narrow/exact/feature_pair.hpp"
 
 namespace toccata {
 namespace {
@@ -152,13 +153,9 @@ std::optional<Distance> offset_distance(const AlignedPair& pair, const BoundedNu
   return Distance{rounded->lower, rounded->upper, *on_a, *on_b, Status::exact};
 }
 
-/// Up to three vertices of the least face of a core that holds one of its points.
-struct FaceOfCore {
-  std::array<Index, 3> vertex{};
-  std::size_t count = 0;
-};
-
-FaceOfCore face_of_core_at(const PosedPolytope& core, const Extents& extents, const Vec3& point) {
+/// Up to three vertices of the least face of a core that holds one of its points. How many they are.
+std::size_t set_face_at(const Vec3& point, const PosedPolytope& core, const Extents& extents,
+                        std::array<Index, 3>& vertices) {
   const auto is_of_face = [&](const Vec3& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
       const AxisInterval& along = extents[static_cast<std::size_t>(axis)];
@@ -167,19 +164,12 @@ FaceOfCore face_of_core_at(const PosedPolytope& core, const Extents& extents, co
     }
     return true;
   };
-  FaceOfCore feature;
+  std::size_t found = 0;
   const bool is_point = core.vertex(0) == core.vertex(core.vertex_count() - 1);  // a segment's, too
   const Index count = is_point ? 1 : core.vertex_count();
-  for (Index i = 0; i < count && feature.count < 3; ++i)
-    if (is_of_face(core.vertex(i))) feature.vertex[feature.count++] = i;
-  return feature;
-}
-
-VertexPairs pairs_of(const FaceOfCore& a, const FaceOfCore& b) {
-  VertexPairs pairs;
-  for (std::size_t i = 0; i < a.count; ++i) pairs.append(a.vertex[i], b.vertex[0]);
-  for (std::size_t i = 1; i < b.count; ++i) pairs.append(a.vertex[0], b.vertex[i]);
-  return pairs;
+  for (Index i = 0; i < count && found < 3; ++i)
+    if (is_of_face(core.vertex(i))) vertices[found++] = i;
+  return found;
 }
 
 double middle_of(double lower, double upper) { return std::max(lower, std::min(upper, 0.5 * lower + 0.5 * upper)); }
@@ -253,8 +243,10 @@ std::optional<ConvexSeparation> part_aligned_cores(const PosedPolytope& a, const
   nearest.on_b = exactly(pair->on_b);
   const auto depth = rounded_depth(nearest, pair->radius_a, pair->radius_b);
   if (!depth) return {};
-  return ConvexSeparation{*depth,
-                          pairs_of(face_of_core_at(a, pair->a, pair->on_a), face_of_core_at(b, pair->b, pair->on_b))};
+  NearestFeatures features;
+  features.count_a = set_face_at(pair->on_a, a, pair->a, features.a);
+  features.count_b = set_face_at(pair->on_b, b, pair->b, features.b);
+  return ConvexSeparation{*depth, pairs_of(features)};
 }
 
 }  // namespace toccata

@@ -21,11 +21,6 @@
 namespace toccata {
 namespace {
 
-/// Of a triangle of whatever size.
-Vec3 normal_of_any_size(const Triangle& t) {
-  return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
-}
-
 double sign_of_volume(const PosedMesh& mesh) {
   const Aabb& box = mesh.box();
   const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper, size = box.upper - middle;
@@ -83,8 +78,7 @@ class RegionSum {
 
  private:
   void add_polygon(std::span<const Vec3> points, const Vec3& normal) {
-    Vec3 sum;
-    for (std::size_t i = 2; i < points.size(); ++i) sum = sum + cross(points[i - 1] - points[0], points[i] - points[0]);
+    const Vec3 sum = twice_area_of(points);
     outline_.of_faces = outline_.of_faces + (dot(sum, normal) < 0 ? -sum : sum);
   }
 

@@ -5,7 +5,7 @@
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
-#include "query/meshes/shaft_search.hpp"
+#include "query/meshes/world_search.hpp"
 #include "query/relation/relation_locality.hpp"
 
 namespace toccata {
@@ -34,17 +34,19 @@ struct Shaft {
   CellFrame frame;
   Aabb range;  ///< of the cell in it
 
-  [[nodiscard]] WorldShaft up_to(double height) const {
-    WorldShaft shaft{frame.axes, {}, {}, {}};
+  [[nodiscard]] RegionRanges up_to(double height) const {
+    RegionRanges shaft;
+    shaft.count = 3;
     Aabb box;
     for (int i = 0; i < 8; ++i)
       box = merge(box,
                   frame.in_world({(i & 1) != 0 ? range.lower.x : height, (i & 2) != 0 ? range.lower.y : range.upper.y,
                                   (i & 4) != 0 ? range.lower.z : range.upper.z}));
     for (int axis = 0; axis < 3; ++axis) {
-      const double origin = dot(frame.axes[static_cast<std::size_t>(axis)], frame.origin);
-      shaft.low[axis] = origin + range.lower[axis];
-      shaft.high[axis] = origin + (axis == 0 ? height : range.upper[axis]);
+      const Vec3& direction = frame.axes[static_cast<std::size_t>(axis)];
+      const double origin = dot(direction, frame.origin);
+      shaft.ranges[static_cast<std::size_t>(axis)] = {
+          direction, {origin + range.lower[axis], origin + (axis == 0 ? height : range.upper[axis])}};
       shaft.reach[axis] = std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
     }
     return shaft;

@@ -232,6 +232,10 @@ class CommonDepthSearch {
 
 }  // namespace
 
+Vec3 normal_of_any_size(const Triangle& t) {
+  return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
+}
+
 DepthSide::DepthSide(const Model& model, const Pose& pose, const PosedMesh& mesh, double turn)
     : search_(model, {.pose = pose}, 100), mesh_(mesh), turn_(turn) {}
 
@@ -239,10 +243,7 @@ DepthSide::Place DepthSide::at(const Vec3& point, SearchScratch& scratch) const 
   return {search_.nearest(point, scratch), is_interior(point, mesh_)};
 }
 
-Vec3 DepthSide::outward_normal(Index triangle) const {
-  const Triangle t = mesh_.triangle(triangle);
-  return turn_ * unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
-}
+Vec3 DepthSide::outward_normal(Index triangle) const { return turn_ * normal_of_any_size(mesh_.triangle(triangle)); }
 
 CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair,
                          double turn_a, double turn_b, SearchScratch& scratch)

@@ -8,6 +8,9 @@
 
 namespace toccata {
 
+/// Of a triangle of whatever size.
+[[nodiscard]] Vec3 normal_of_any_size(const Triangle& t);
+
 /// A point of two closed solids and the nearest points of both surfaces. `depth` is not more than the sum of their
 /// distances; 0 where no such point is known.
 struct DeepestPoint {

@@ -11,7 +11,7 @@ namespace {
 /// How much less surface than that of its box the directions have to leave a body for them to be worth their tests.
 constexpr double worthwhile_share = 0.5;
 
-using Directions = std::array<Vec3, 3>;
+using BodyAxes = std::array<Vec3, 3>;
 
 Vec3 farthest_from(const Vec3& point, const PosedPolytope& body) {
   Vec3 farthest = point;
@@ -46,7 +46,7 @@ Vec3 some_normal_of(const Vec3& direction) {
 }
 
 /// Along the longest way between two vertices, nearly; along what leads farthest away from it; and across both.
-Directions directions_of_vertices(const PosedPolytope& body) {
+BodyAxes directions_of_vertices(const PosedPolytope& body) {
   const Vec3 end = farthest_from(body.vertex(0), body), other = farthest_from(end, body);
   const Vec3 along = unit_or_zero(other - end);
   Vec3 across = unit_or_zero(longest_across(along, end, body));
@@ -54,7 +54,7 @@ Directions directions_of_vertices(const PosedPolytope& body) {
   return {along, across, unit_or_zero(cross(along, across))};
 }
 
-Directions directions_of_columns(const Mat3& linear) {
+BodyAxes directions_of_columns(const Mat3& linear) {
   return {unit_or_zero(cross(linear.column(1), linear.column(2))),
           unit_or_zero(cross(linear.column(2), linear.column(0))),
           unit_or_zero(cross(linear.column(0), linear.column(1)))};
@@ -78,32 +78,31 @@ FormRange range_along(const Vec3& direction, const PosedQuadric& body) {
 }
 
 template <class Body>
-std::array<BodyRange, 3> ranges_along(const Directions& directions, const Body& body) {
-  std::array<BodyRange, 3> ranges;
-  for (std::size_t i = 0; i < 3; ++i) ranges[i] = {directions[i], range_along(directions[i], body)};
-  return ranges;
+RegionRanges ranges_along(const BodyAxes& directions, const Body& body, const Aabb& box, const Vec3& reach) {
+  RegionRanges found{{}, 0, reach};
+  Aabb own;  // in the frame of the directions
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    found.ranges[at] = {directions[at], range_along(directions[at], body)};
+    own.lower[i] = found.ranges[at].range.low;
+    own.upper[i] = found.ranges[at].range.high;
+  }
+  if (half_area(own) < worthwhile_share * half_area(box)) found.count = 3;
+  return found;
 }
 
 }  // namespace
 
-BodyRanges::BodyRanges(const PosedPolytope& body, const Aabb& box) {
-  if (body.vertex_count() < 2) return;
-  reach_ = largest_coordinates(box);
+RegionRanges ranges_of(const PosedPolytope& body, const Aabb& box) {
+  if (body.vertex_count() < 2) return {};
   const bool is_box = std::isfinite(body.as_box().slack);
-  ranges_ = ranges_along(is_box ? directions_of_columns(body.pose().linear) : directions_of_vertices(body), body);
-  keep_if_narrower_than(box);
+  const BodyAxes directions = is_box ? directions_of_columns(body.pose().linear) : directions_of_vertices(body);
+  return ranges_along(directions, body, box, largest_coordinates(box));
 }
 
-BodyRanges::BodyRanges(const PosedQuadric& body, const Aabb& box)
-    : ranges_(ranges_along(directions_of_columns(body.pose().linear), body)),
-      reach_(world_sizes(body.pose(), {-body.half(), body.half()})) {
-  keep_if_narrower_than(box);
-}
-
-void BodyRanges::keep_if_narrower_than(const Aabb& box) {
-  const Aabb own{{ranges_[0].range.low, ranges_[1].range.low, ranges_[2].range.low},
-                 {ranges_[0].range.high, ranges_[1].range.high, ranges_[2].range.high}};
-  if (half_area(own) < worthwhile_share * half_area(box)) count_ = 3;
+RegionRanges ranges_of(const PosedQuadric& body, const Aabb& box) {
+  return ranges_along(directions_of_columns(body.pose().linear), body, box,
+                      world_sizes(body.pose(), {-body.half(), body.half()}));
 }
 
 }  // namespace toccata

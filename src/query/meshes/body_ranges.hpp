@@ -10,32 +10,26 @@
 
 namespace toccata {
 
-/// No point of a body is outside of the range along the direction, which is of length 1 but for rounding; but for the
-/// rounding of a few products and sums of numbers that are no greater than `BodyRanges::reach`
-/// (docs/design/culling.md).
-struct BodyRange {
+/// What lies between two planes across a direction, which is of length 1 but for rounding.
+struct RangeAlong {
   Vec3 direction{};
   FormRange range{};
 };
 
-/// Three directions at right angles or nearly so, along which a body is narrow where its box is wide, as a rod is that
-/// lies across the axes. None of a body that they tell little more about than its box does.
-class BodyRanges {
- public:
-  BodyRanges() = default;
-  /// `box` is around the body in the world.
-  BodyRanges(const PosedPolytope& body, const Aabb& box);
-  BodyRanges(const PosedQuadric& body, const Aabb& box);
+/// The points of a region, or of a body, are in the ranges along up to three directions, but for the rounding of a few
+/// products and sums of numbers that are no greater than `reach`, coordinate by coordinate (docs/design/culling.md).
+struct RegionRanges {
+  std::array<RangeAlong, 3> ranges{};
+  std::size_t count = 0;
+  Vec3 reach{};
 
-  [[nodiscard]] const Vec3& reach() const { return reach_; }
-  [[nodiscard]] std::span<const BodyRange> all() const { return {ranges_.data(), count_}; }
-
- private:
-  void keep_if_narrower_than(const Aabb& box);
-
-  std::array<BodyRange, 3> ranges_{};
-  Vec3 reach_{};
-  std::size_t count_ = 0;
+  [[nodiscard]] std::span<const RangeAlong> all() const { return {ranges.data(), count}; }
 };
+
+// Directions at right angles or nearly so, along which a body is narrow where its box is wide, as a rod is that lies
+// across the axes. None of a body that they tell little more about than its box does, which is around it in the world.
+
+[[nodiscard]] RegionRanges ranges_of(const PosedPolytope& body, const Aabb& box);
+[[nodiscard]] RegionRanges ranges_of(const PosedQuadric& body, const Aabb& box);
 
 }  // namespace toccata

@@ -16,7 +16,7 @@ namespace {
 template <class Bounded, class See>
 void visit_near(const PosedMesh& mesh, const Bounded& shape, const See& see) {
   const Aabb box = world_box(shape);
-  visit_triangles_near(mesh, box, BodyRanges(shape, box),
+  visit_triangles_near(mesh, box, ranges_of(shape, box),
                        [&](Index i) { return see(i, PosedPolytope(mesh.triangle(i))); });
 }
 

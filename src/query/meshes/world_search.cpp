@@ -8,7 +8,6 @@
 #include "math/vec3_measures.hpp"
 #include "math/world_vertex.hpp"
 #include "query/meshes/cull_bounds.hpp"
-#include "query/meshes/shaft_search.hpp"
 #include "query/meshes/wide_cull.hpp"
 #include "trees/prism_directions.hpp"
 
@@ -44,6 +43,11 @@ RegionDirection along(const PosedMesh& mesh, const Vec3& direction, const FormRa
 
 void add_usable(const RegionDirection& direction, const PosedMesh& mesh, WideProbe& probe) {
   if (is_usable(direction)) add_axis(direction, mesh.model().wide_bvh(), probe);
+}
+
+void add_ranges(const RegionRanges& ranges, const PosedMesh& mesh, WideProbe& probe) {
+  for (const RangeAlong& one : ranges.all())
+    add_usable(along(mesh, one.direction, one.range, ranges.reach), mesh, probe);
 }
 
 /// The direction at right angles to a ray along `axis` and to an edge of the mesh's posed boxes: turned boxes that lie
@@ -132,11 +136,9 @@ void visit_triangles_near(const PosedMesh& mesh, const PosedHalfSpace& half_spac
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 
-void visit_triangles_in(const PosedMesh& mesh, const WorldShaft& shaft, FunctionRef<bool(Index)> visit) {
+void visit_triangles_in(const PosedMesh& mesh, const RegionRanges& ranges, FunctionRef<bool(Index)> visit) {
   WideProbe probe;
-  for (int i = 0; i < 3; ++i)
-    add_usable(along(mesh, shaft.directions[static_cast<std::size_t>(i)], {shaft.low[i], shaft.high[i]}, shaft.reach),
-               mesh, probe);
+  add_ranges(ranges, mesh, probe);
   walk_probe(mesh.model().wide_bvh(), probe, visit);
 }
 
@@ -144,11 +146,11 @@ void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef
   visit_triangles_near(mesh, region, {}, visit);
 }
 
-void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const BodyRanges& body,
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const RegionRanges& body,
                           FunctionRef<bool(Index)> visit) {
   if (!overlap(mesh.box(), region)) return;
   WideProbe probe = probe_of(mesh, region);
-  for (const BodyRange& one : body.all()) add_usable(along(mesh, one.direction, one.range, body.reach()), mesh, probe);
+  add_ranges(body, mesh, probe);
   walk_probe(mesh.model().wide_bvh(), probe,
              [&](Index triangle) { return !overlap(box_of(mesh.triangle(triangle)), region) || visit(triangle); });
 }

@@ -19,8 +19,12 @@ void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, FunctionRef
 
 /// The same of a body that lies in the region and in the ranges: also without triangles that one of these tells from
 /// it.
-void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const BodyRanges& body,
+void visit_triangles_near(const PosedMesh& mesh, const Aabb& region, const RegionRanges& body,
                           FunctionRef<bool(Index)> visit);
+
+/// The same of what is in the ranges, without a region: also triangles that the tree cannot tell from those that meet
+/// it.
+void visit_triangles_in(const PosedMesh& mesh, const RegionRanges& ranges, FunctionRef<bool(Index)> visit);
 
 /// A triangle in the world, with its box.
 struct MeshTriangle {
