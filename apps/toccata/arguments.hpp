@@ -21,6 +21,10 @@ struct InputArguments {
   std::string folder;  ///< where relative names begin; empty: the current one
   std::string unit;    ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;
+  std::string names;    ///< a file that lists files; empty: none
+  std::string format;   ///< of standard input; empty: it is not read
+  bool split = false;   ///< parts of mesh files are objects
+  std::string within;   ///< how near the mesh of a curved surface has to be to it, a length; empty: as is usual
   std::string cache;   ///< a folder of trees from run to run; empty: none
   int threads = 0;     ///< to read with
   std::string wanted;  ///< what the subcommand takes, for the error when there are none

@@ -2,18 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <set>
+#include <span>
+#include <variant>
 
 #include "memory.hpp"
+#include "named_files.hpp"
 #include "progress_bar.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/generate/meshes.hpp"
+#include "toccata/io/query_files.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata::command {
@@ -34,8 +41,48 @@ ReadOptions read_options(const InputArguments& input) {
   ReadOptions options;
   if (!input.unit.empty()) options.metres_per_unit = metres_per_unit(input.unit);
   options.scale = input.scale;
+  options.split = input.split;
   return options;
 }
+
+Scene scene_of_standard_input(const InputArguments& input, const ReadOptions& options) {
+  const std::string text = read_standard_input();
+  return read_scene({text, "standard input", input.format}, options);
+}
+
+/// Meshes that are equal to the bit become one, so that they share a tree: copies of a bolt, each in a file.
+class SharedMeshes {
+ public:
+  void share(Scene& scene) {
+    for (SceneObject& object : scene.objects)
+      if (auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&object.shape)) *mesh = known(*mesh);
+  }
+
+ private:
+  using Mesh = std::shared_ptr<const TriangleMesh>;
+
+  template <class Element>
+  static bool same_bits(std::span<const Element> a, std::span<const Element> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+  }
+
+  static bool are_equal(const TriangleMesh& a, const TriangleMesh& b) {
+    if (!same_bits(a.vertices(), b.vertices()) || !same_bits(a.triangles(), b.triangles())) return false;
+    for (Index i = 0; i < a.triangle_count(); ++i)
+      if (a.face_of(i) != b.face_of(i)) return false;
+    return true;
+  }
+
+  Mesh known(const Mesh& mesh) {
+    std::vector<Mesh>& alike = known_[{mesh->vertices().size(), mesh->triangles().size()}];
+    for (const Mesh& other : alike)
+      if (other == mesh || are_equal(*other, *mesh)) return other;
+    alike.push_back(mesh);
+    return mesh;
+  }
+
+  std::map<std::array<std::size_t, 2>, std::vector<Mesh>> known_;  ///< by the numbers of vertices and triangles
+};
 
 fs::path path_of(const std::string& file, const std::string& folder) {
   return folder.empty() || is_generator_specification(file) ? fs::path(file) : fs::path(folder) / file;
@@ -117,7 +164,8 @@ std::map<std::string, Scene> read_all(const InputArguments& input) {
   ProgressBar bar("MB read");
   FilesRead progress(paths, bar.callback());
   parallel_for(files.size(), input.threads, [&](std::size_t i) {
-    scenes[i] = read_scene(paths[i].string(), options);
+    scenes[i] = files[i] == standard_input ? scene_of_standard_input(input, options)
+                                           : read_scene(paths[i].string(), options);
     progress.finished(i);
   });
   std::map<std::string, Scene> read;
@@ -170,6 +218,7 @@ LoadedScene load(const InputArguments& input) {
                       unit_text(file, scene), unit_text(input.files.front(), loaded.scene)));
     append(loaded.scene, scene, file, file_is_new, names);
   }
+  SharedMeshes().share(loaded.scene);
   loaded.first_object.push_back(loaded.scene.objects.size());
   loaded.first_node.push_back(loaded.scene.nodes.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
@@ -177,7 +226,11 @@ LoadedScene load(const InputArguments& input) {
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
-  return Pose::from_numbers(parse_doubles<12>(words, option, "12 numbers, R row by row and then t"));
+  try {
+    return pose_from_text(fmt::format("{}", fmt::join(words, " ")));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", option, error.what()));
+  }
 }
 
 Vec3 parse_point(const std::vector<std::string>& words, const std::string& option) {

@@ -23,7 +23,7 @@ struct LoadedScene {
 /// added to their names. A file named twice is read once.
 LoadedScene load(const InputArguments& input);
 
-/// Twelve numbers: R row by row, then t. `option` names them in errors.
+/// As `pose_from_text` takes it, in one word or several. `option` names them in errors.
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option);
 
 /// Three numbers. `option` names them in errors.

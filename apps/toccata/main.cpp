@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "option_kinds.hpp"
@@ -30,12 +33,35 @@ std::string mistyped_subcommand(const CLI::App& app, int argc, char** argv) {
   return fmt::format("there is no subcommand '{}'{}", word, suggestion(word, known));
 }
 
+bool is_number(const std::string& word) {
+  char* end = nullptr;
+  static_cast<void>(std::strtod(word.c_str(), &end));
+  return !word.empty() && end == word.c_str() + word.size();
+}
+
+/// The words behind the command's name, with the numbers of a pose (at most 16) as one word: a pose has as many as its
+/// form asks for, and files may follow.
+std::vector<std::string> words_of(int argc, char** argv) {
+  constexpr std::size_t most_numbers = 16;
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    words.emplace_back(argv[i]);
+    if (words.back() != "--pose-a" && words.back() != "--pose-b") continue;
+    std::string pose;
+    for (std::size_t count = 0; i + 1 < argc && count < most_numbers && is_number(argv[i + 1]); ++count, ++i)
+      pose += (pose.empty() ? "" : " ") + std::string(argv[i + 1]);
+    // With the option, or a pose that begins with a minus would be taken for another one.
+    if (!pose.empty()) words.back() += "=" + pose;
+  }
+  return words;
+}
+
 /// What to do about words that CLI11 could not take.
 std::string hint_for(const CLI::App& app, const CLI::ParseError& error) {
   const std::string_view what = error.what();
   const auto says = [&](std::string_view words) { return what.find(words) != std::string_view::npos; };
   if (says("excludes")) return "give one of the two";
-  if (says("--pose-")) return "12 numbers are needed, R row by row and then t; write -0.5 and not -.5";
+  if (says("--pose-")) return "12 numbers are needed, R row by row and then t";
   std::vector<std::string> known;
   for (const CLI::App* sub : app.get_subcommands())
     for (const CLI::Option* option : sub->get_options())
@@ -60,7 +86,9 @@ int main_of(int argc, char** argv) {
   if (const std::string message = mistyped_subcommand(app, argc, argv); !message.empty())
     return report_trouble(message);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = words_of(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::Success& asked_for_text) {
     return app.exit(asked_for_text);
   } catch (const CLI::ParseError& error) {

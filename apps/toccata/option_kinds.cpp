@@ -8,13 +8,21 @@
 #include <map>
 
 #include "load.hpp"
+#include "named_files.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
 
 void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   input.wanted = what;
-  app.add_option("files", input.files, what);
+  app.add_option("files", input.files,
+                 what + "; a folder stands for the mesh files in it, - for standard input (with --format)");
+  app.final_callback([&input] { input.files = named_files(input); });
+  add_file(app, "--names", input.names, "also the files that this one lists, one on each line; -: standard input");
+  add_text(app, "--format", input.format, "what standard input is: obj, stl, ply, off, gltf, glb, json",
+           "a format must be named")
+      ->type_name("FORMAT");
+  app.add_flag("--split", input.split, "the objects and groups of OBJ files and the solids of STL files, each alone");
   app.add_option(
       "--unit", input.unit,
       "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
@@ -54,10 +62,12 @@ CLI::Option* add_point(CLI::App& app, const std::string& name, std::vector<std::
 
 std::array<CLI::Option*, 2> add_pose_pair(CLI::App& app, PosedArguments& arguments) {
   const auto pose = [&](const char* name, std::vector<std::string>& numbers, const char* what) {
-    return app.add_option(name, numbers, what)->expected(12)->allow_extra_args(false)->type_name("12 NUMBERS");
+    return app.add_option(name, numbers, what)->expected(1)->allow_extra_args(false)->type_name("12 NUMBERS");
   };
-  return {pose("--pose-a", arguments.pose_a_words, "places the first of two files: R row by row, then t"),
-          pose("--pose-b", arguments.pose_b_words, "places the second of two files: R row by row, then t")};
+  return {pose("--pose-a", arguments.pose_a_words,
+               "places the first of two files: R row by row, then t; or 16 numbers, a 4 × 4 matrix row by row; 7, a "
+               "translation and a quaternion x y z w; 3, a translation; or in words (docs/reference/motion-file.md)"),
+          pose("--pose-b", arguments.pose_b_words, "places the second of two files, the same way")};
 }
 
 CLI::Option* add_poses(CLI::App& app, PosedArguments& arguments) {

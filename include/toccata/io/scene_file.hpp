@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ struct ReadOptions {
   /// Multiplies everything in the file, poses included; positive and finite, as is its product with the unit, which
   /// must also keep the full precision of a double (2.3e-308 or more): it is an Error when a shape would collapse.
   double scale = 1;
+  /// The objects and groups of an OBJ file and the solids of a text STL file are objects of their own, by the names that
+  /// they have there; each is numbered by itself. Else such a file is one object.
+  bool split = false;
 };
 
 /// Reads any supported file as a scene: a mesh file as one object named after the file, glTF and GLB as the posed
@@ -25,6 +29,16 @@ struct ReadOptions {
 /// and UTF-8; a byte of a file name that is not becomes \xff, in hexadecimal. Objects
 /// from the same mesh share it. Throws Error naming the file, and the line or the place in it.
 [[nodiscard]] Scene read_scene(const std::string& path, const ReadOptions& options = {});
+
+/// What a file holds that comes from elsewhere.
+struct FileContent {
+  std::span<const char> bytes;
+  std::string name;    ///< what messages call it; an object that has no name is called so
+  std::string format;  ///< the extension that such a file has: "obj", "stl", "ply", "off", "gltf", "glb" or "json"
+};
+
+/// The same of a file that is in memory. Names of other files in it begin at the current folder.
+[[nodiscard]] Scene read_scene(const FileContent& content, const ReadOptions& options = {});
 
 /// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same
 /// objects with the same doubles; the node tree is not written. Names and groups must be UTF-8, and names unique:

@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/formats/file_error.hpp"
 #include "io/formats/parse.hpp"
@@ -23,6 +28,8 @@ class ObjReader {
         read_vertex();
       } else if (keyword == "f" || keyword == "fo") {
         read_face(vertices_in_file);
+      } else if (keyword == "o" || keyword == "g") {
+        read_name(keyword == "o" ? object_ : group_);
       } else {
         cursor_.next_line();
       }
@@ -32,6 +39,10 @@ class ObjReader {
 
   [[nodiscard]] std::size_t largest_vertex() const { return largest_vertex_; }
 
+  /// Of each face that was read what it stands under: a number into `part_names`.
+  [[nodiscard]] const std::vector<Index>& part_of_face() const { return part_of_face_; }
+  [[nodiscard]] const std::vector<std::string>& part_names() const { return part_names_; }
+
  private:
   void read_vertex() {
     const double x = cursor_.number("the x coordinate");
@@ -40,6 +51,28 @@ class ObjReader {
     if (mesh_.vertices.size() == most_elements) cursor_.fail("there are too many vertices", "split the file");
     mesh_.vertices.push_back({x, y, z});
     skip_weight_or_colour();
+  }
+
+  /// The words behind `o` or `g`. A new object has no group yet.
+  void read_name(std::string& name) {
+    name.clear();
+    if (&name == &object_) group_.clear();
+    while (!cursor_.at_line_end()) {
+      if (!name.empty()) name += ' ';
+      name += cursor_.word();
+    }
+    part_.reset();
+    cursor_.next_line();
+  }
+
+  /// Of what is read now.
+  Index part() {
+    if (part_) return *part_;
+    const bool has_both = !object_.empty() && !group_.empty() && object_ != group_;
+    const std::string name = has_both ? object_ + "/" + group_ : object_.empty() ? group_ : object_;
+    const auto [found, is_new] = number_of_part_.emplace(name, static_cast<Index>(part_names_.size()));
+    if (is_new) part_names_.push_back(name);
+    return *(part_ = found->second);
   }
 
   void skip_weight_or_colour() {
@@ -55,6 +88,7 @@ class ObjReader {
     if (corners < 3) cursor_.fail("a face has " + std::to_string(corners) + " corners", "give it three or more");
     if (mesh_.corners.size() > most_elements) cursor_.fail("there are too many face corners", "split the file");
     mesh_.first.push_back(static_cast<Index>(mesh_.corners.size()));
+    part_of_face_.push_back(part());
     cursor_.next_line();
   }
 
@@ -97,11 +131,21 @@ class ObjReader {
   TextCursor cursor_;
   PolygonMesh mesh_;
   std::size_t largest_vertex_ = 0;
+  std::string object_, group_;  ///< what `o` and `g` said last
+  std::optional<Index> part_;   ///< their number, once a face needs it
+  std::vector<Index> part_of_face_;
+  std::vector<std::string> part_names_;
+  std::map<std::string, Index> number_of_part_;
 };
 
-}  // namespace
+/// A whole file.
+struct ObjFile {
+  PolygonMesh mesh;
+  std::vector<Index> part_of_face;
+  std::vector<std::string> part_names;
+};
 
-PolygonMesh parse_obj(std::span<const char> bytes, std::string_view name) {
+ObjFile read_obj(std::span<const char> bytes, std::string_view name) {
   ObjReader reader(bytes, name);
   PolygonMesh mesh = reader.read(most_elements);
   if (mesh.vertices.empty() && mesh.first.size() == 1)
@@ -110,8 +154,59 @@ PolygonMesh parse_obj(std::span<const char> bytes, std::string_view name) {
     fail_in_file(name, {"there is no face in it (" + std::to_string(mesh.vertices.size()) + " vertices)",
                         "export the mesh with its faces"});
   // How many vertices there are is known only now. The second reading stops at the face that names one too many.
-  if (reader.largest_vertex() >= mesh.vertices.size()) return ObjReader(bytes, name).read(mesh.vertices.size());
-  return mesh;
+  if (reader.largest_vertex() >= mesh.vertices.size())
+    static_cast<void>(ObjReader(bytes, name).read(mesh.vertices.size()));
+  return {std::move(mesh), reader.part_of_face(), reader.part_names()};
+}
+
+/// Cuts a mesh into parts.
+class PartsOf {
+ public:
+  explicit PartsOf(const PolygonMesh& whole) : whole_(whole), number_(whole.vertices.size(), none) {}
+
+  /// These faces with the vertices that they use, both in the order of the file.
+  PolygonMesh part(std::span<const Index> faces) {
+    PolygonMesh part;
+    std::vector<Index> used;
+    for (const Index face : faces)
+      for (const Index vertex : corners_of(face))
+        if (std::exchange(number_[vertex], 0) == none) used.push_back(vertex);
+    std::sort(used.begin(), used.end());
+    for (const Index vertex : used) {
+      number_[vertex] = static_cast<Index>(part.vertices.size());
+      part.vertices.push_back(whole_.vertices[vertex]);
+    }
+    for (const Index face : faces) {
+      for (const Index vertex : corners_of(face)) part.corners.push_back(number_[vertex]);
+      part.first.push_back(static_cast<Index>(part.corners.size()));
+    }
+    for (const Index vertex : used) number_[vertex] = none;
+    return part;
+  }
+
+ private:
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  [[nodiscard]] std::span<const Index> corners_of(Index face) const {
+    return std::span(whole_.corners).subspan(whole_.first[face], whole_.first[face + 1] - whole_.first[face]);
+  }
+
+  const PolygonMesh& whole_;
+  std::vector<Index> number_;  ///< of each vertex, in the part that is made
+};
+
+}  // namespace
+
+PolygonMesh parse_obj(std::span<const char> bytes, std::string_view name) { return read_obj(bytes, name).mesh; }
+
+std::vector<NamedPolygons> parse_obj_parts(std::span<const char> bytes, std::string_view name) {
+  const ObjFile file = read_obj(bytes, name);
+  std::vector<std::vector<Index>> faces(file.part_names.size());
+  for (Index face = 0; face < file.part_of_face.size(); ++face) faces[file.part_of_face[face]].push_back(face);
+  PartsOf parts_of(file.mesh);
+  std::vector<NamedPolygons> parts;
+  for (std::size_t i = 0; i < faces.size(); ++i) parts.push_back({file.part_names[i], parts_of.part(faces[i])});
+  return parts;
 }
 
 }  // namespace toccata::io

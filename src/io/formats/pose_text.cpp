@@ -15,8 +15,8 @@ namespace io {
 namespace {
 
 constexpr const char* ways_to_write_a_pose =
-    "write 12 numbers, R row by row and then t; 3, a translation; or words such as translation=1,0,0 axis=0,0,1 "
-    "degrees=90";
+    "write 12 numbers, R row by row and then t; 16, a 4 × 4 matrix row by row; 7, a translation and a quaternion x y z "
+    "w; 3, a translation; or words such as translation=1,0,0 axis=0,0,1 degrees=90";
 
 std::optional<double> number_of(std::string_view word) {
   const ParsedNumber parsed = parse_number(word.data(), word.data() + word.size());
@@ -123,19 +123,44 @@ class PoseWords {
   std::optional<Mat3> rotation_;
 };
 
-WrittenPose pose_of_numbers(const std::vector<std::string_view>& words, const FailPose& fail) {
-  std::array<double, 12> numbers{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::optional<double> number = number_of(words[i]);
-    if (!number) fail(in_quotes(words[i]) + " is no number", ways_to_write_a_pose);
-    if (i < numbers.size()) numbers[i] = *number;
+WrittenPose written_pose_of_numbers(const std::vector<std::string_view>& words, const FailPose& fail) {
+  std::vector<double> numbers;
+  for (const std::string_view word : words) {
+    const std::optional<double> number = number_of(word);
+    if (!number) fail(in_quotes(word) + " is no number", ways_to_write_a_pose);
+    numbers.push_back(*number);
   }
-  if (words.size() == 3) return {Pose::translation(numbers[0], numbers[1], numbers[2]), WrittenTurn{}};
-  if (words.size() != 12) fail("a pose of " + std::to_string(words.size()) + " numbers", ways_to_write_a_pose);
-  return {Pose::from_numbers(numbers), {}};
+  if (numbers.size() == 3) return {Pose::translation(numbers[0], numbers[1], numbers[2]), WrittenTurn{}};
+  return {pose_of_numbers(numbers, fail), {}};
+}
+
+/// Of a matrix of 4 × 4, row by row: R and t as they stand.
+Pose pose_of_matrix(std::span<const double> m, const FailPose& fail) {
+  const bool is_last_row = m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1;
+  const bool is_column_major = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+  if (!is_last_row)
+    fail("the last row of the 4 × 4 matrix is not 0 0 0 1",
+         is_column_major ? "it seems to be written column by column; write it row by row" : "write a rigid placement");
+  return Pose::from_numbers({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[3], m[7], m[11]});
 }
 
 }  // namespace
+
+bool is_count_of_pose(std::size_t numbers) { return numbers == 12 || numbers == 16 || numbers == 7; }
+
+Pose pose_of_numbers(std::span<const double> numbers, const FailPose& fail) {
+  if (!is_count_of_pose(numbers.size()))
+    fail("a pose of " + std::to_string(numbers.size()) + " numbers", ways_to_write_a_pose);
+  if (numbers.size() == 16) return pose_of_matrix(numbers, fail);
+  if (numbers.size() == 7) {
+    if (numbers[3] == 0 && numbers[4] == 0 && numbers[5] == 0 && numbers[6] == 0)
+      fail("the quaternion is zero", "write x, y, z and then w");
+    return {rotation_of({numbers[3], numbers[4], numbers[5], numbers[6]}), {numbers[0], numbers[1], numbers[2]}};
+  }
+  std::array<double, 12> twelve{};
+  std::copy(numbers.begin(), numbers.end(), twelve.begin());
+  return Pose::from_numbers(twelve);
+}
 
 std::optional<double> degrees_between(const WrittenTurn& from, const WrittenTurn& to) {
   if (from.degrees == 0 || to.degrees == 0) return to.degrees - from.degrees;
@@ -146,7 +171,7 @@ std::optional<double> degrees_between(const WrittenTurn& from, const WrittenTurn
 
 WrittenPose pose_of_words(const std::vector<std::string_view>& words, const FailPose& fail) {
   if (words.empty()) fail("there is no pose", ways_to_write_a_pose);
-  if (number_of(words[0])) return pose_of_numbers(words, fail);
+  if (number_of(words[0])) return written_pose_of_numbers(words, fail);
   return PoseWords(words, fail).read();
 }
 

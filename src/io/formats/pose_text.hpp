@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,16 @@ struct WrittenPose {
   Pose pose;
   std::optional<WrittenTurn> turn;  ///< none of 12 numbers, a quaternion or Euler's angles
 };
+
+/// What a pose may be of numbers alone; `is_count_of_pose` tells which counts there are.
+inline constexpr std::string_view numbers_of_a_pose =
+    "12 numbers, R row by row and then t; 16, a 4 × 4 matrix row by row that ends 0 0 0 1; or 7, a translation and a "
+    "quaternion x y z w";
+
+[[nodiscard]] bool is_count_of_pose(std::size_t numbers);
+
+/// A pose of so many numbers.
+[[nodiscard]] Pose pose_of_numbers(std::span<const double> numbers, const FailPose& fail);
 
 /// A pose of its words (`pose_from_text`).
 [[nodiscard]] WrittenPose pose_of_words(const std::vector<std::string_view>& words, const FailPose& fail);

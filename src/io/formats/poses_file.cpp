@@ -1,38 +1,34 @@
 #include "toccata/io/query_files.hpp"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/file_error.hpp"
 #include "io/formats/parse_poses.hpp"
+#include "io/formats/pose_text.hpp"
 #include "io/formats/text_cursor.hpp"
 
 namespace toccata {
 namespace io {
 namespace {
 
-constexpr std::size_t numbers_of_a_pose = 12;
-
 /// What is left of the cursor's line; the last pose of it places B, the one before, if any, A.
 PairQuery read_line(TextCursor& cursor) {
-  std::array<double, 2 * numbers_of_a_pose> numbers{};
-  std::size_t count = 0;
-  for (; !cursor.at_line_end(); ++count) {
-    const double number = cursor.number("the number");
-    if (count < numbers.size()) numbers[count] = number;
-  }
-  if (count != numbers_of_a_pose && count != numbers.size())
+  std::vector<double> numbers;
+  while (!cursor.at_line_end()) numbers.push_back(cursor.number("the number"));
+  const std::size_t count = numbers.size();
+  const bool places_both = count % 2 == 0 && is_count_of_pose(count / 2);
+  if (!places_both && !is_count_of_pose(count))
     cursor.fail("a line of 12 or 24 numbers has " + std::to_string(count),
-                "give R row by row and then t: of B in A's frame, or first of A and then of B");
-  const auto pose_from = [&](std::size_t first) {
-    std::array<double, numbers_of_a_pose> twelve{};
-    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(first), twelve.size(), twelve.begin());
-    return Pose::from_numbers(twelve);
-  };
-  const bool places_both = count == numbers.size();
-  return {.pose_a = places_both ? pose_from(0) : Pose{}, .pose_b = pose_from(places_both ? numbers_of_a_pose : 0)};
+                "give the pose of B in A's frame, or first that of A and then that of B, each of " +
+                    std::string(numbers_of_a_pose));
+  const FailPose fail = [&](const std::string& what, const std::string& advice) { cursor.fail(what, advice); };
+  const std::span<const double> all(numbers);
+  if (!places_both) return {.pose_b = pose_of_numbers(all, fail)};
+  return {.pose_a = pose_of_numbers(all.first(count / 2), fail), .pose_b = pose_of_numbers(all.last(count / 2), fail)};
 }
 
 }  // namespace

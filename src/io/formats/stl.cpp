@@ -127,22 +127,47 @@ class BinaryStlReader {
   std::string_view name_;
 };
 
-/// Reads the text form; its words may be in capitals. What stands behind "solid", "facet" and "endsolid" is ignored.
+/// Reads the text form; its words may be in capitals. What stands behind "facet" and "endsolid" is
+/// ignored.
 class AsciiStlReader {
  public:
   AsciiStlReader(std::span<const char> bytes, std::string_view name) : name_(name), cursor_(bytes, name, {}) {}
 
   TriangleMesh read() {
-    while (cursor_.next_line_with_words()) {
-      expect("solid");
-      cursor_.next_line();
-      read_facets();
-    }
-    if (mesh_.corner_count() == 0) fail_in_file(name_, {"there is no facet in it", "export the mesh with its faces"});
+    while (cursor_.next_line_with_words()) static_cast<void>(read_solid());
+    if (mesh_.corner_count() == 0) fail_without_facets();
     return std::move(mesh_).mesh();
   }
 
+  std::vector<NamedMesh> read_solids() {
+    std::vector<NamedMesh> solids;
+    while (cursor_.next_line_with_words()) {
+      std::string name = read_solid();
+      if (mesh_.corner_count() > 0)
+        solids.push_back({std::move(name), std::exchange(mesh_, FacetMesh{0}).mesh()});
+    }
+    if (solids.empty()) fail_without_facets();
+    return solids;
+  }
+
  private:
+  [[noreturn]] void fail_without_facets() const {
+    fail_in_file(name_, {"there is no facet in it", "export the mesh with its faces"});
+  }
+
+  /// Its facets go into the mesh. Returns its name.
+  std::string read_solid() {
+    expect("solid");
+    std::string name;
+    while (!cursor_.at_line_end()) {
+      if (!name.empty()) name += ' ';
+      name += cursor_.word();
+    }
+    cursor_.next_line();
+    read_facets();
+    return name;
+  }
+
   void read_facets() {
     while (same_word(next_word(), "facet")) {
       skip_normal();
@@ -196,6 +221,14 @@ class AsciiStlReader {
 
 bool looks_like_stl(std::span<const char> bytes) {
   return has_exactly_the_size_of_a_binary(bytes) || looks_like_ascii_stl(bytes);
+}
+
+std::vector<NamedMesh> parse_stl_solids(std::span<const char> bytes, std::string_view name) {
+  if (!has_exactly_the_size_of_a_binary(bytes) && looks_like_ascii_stl(bytes))
+    return AsciiStlReader(bytes, name).read_solids();
+  std::vector<NamedMesh> solids;
+  solids.push_back({"", BinaryStlReader(bytes, name).read()});
+  return solids;
 }
 
 TriangleMesh parse_stl(std::span<const char> bytes, std::string_view name) {

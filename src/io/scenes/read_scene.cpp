@@ -7,15 +7,18 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/number.hpp"
+#include "io/formats/parse.hpp"
 #include "io/formats/utf8.hpp"
 #include "io/scenes/scene_parts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
-#include "toccata/io/model_file.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata {
@@ -30,12 +33,35 @@ double largest_linear(const Pose& pose) {
   return largest;
 }
 
+bool is_gltf_extension(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
+
+std::vector<NamedMesh> meshes_of(const SceneBytes& source, const std::string& extension, MeshFileIs mesh_file) {
+  if (mesh_file == MeshFileIs::its_parts) return parse_mesh_parts(source.bytes, source.file, extension);
+  std::vector<NamedMesh> one;
+  one.push_back({"", parse_mesh(source.bytes, source.file, extension)});
+  return one;
+}
+
+/// What is in a file of that extension (lower case, with its point) that is no scene file. `name` is that of a mesh.
+Scene parse_shapes(const SceneBytes& source, const std::string& extension, const std::string& name,
+                   MeshFileIs mesh_file) {
+  if (is_gltf_extension(extension)) return parse_gltf(source);
+  Scene scene;
+  scene.unit = "unit";
+  UniqueNames names;
+  for (NamedMesh& part : meshes_of(source, extension, mesh_file)) {
+    SceneObject object;
+    object.name = names.make(part.name.empty() ? name : as_utf8(part.name));
+    object.shape = std::make_shared<const TriangleMesh>(std::move(part.mesh));
+    object.source = source.file;
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
 }  // namespace
 
-bool is_gltf(const std::filesystem::path& path) {
-  const std::string extension = lower_case_extension(path);
-  return extension == ".gltf" || extension == ".glb";
-}
+bool is_gltf(const std::filesystem::path& path) { return is_gltf_extension(lower_case_extension(path)); }
 
 bool is_scale(double factor) { return factor > 0 && std::isnormal(factor); }
 
@@ -55,29 +81,21 @@ std::string UniqueNames::make(const std::string& name) {
   return unique;
 }
 
-Scene read_shapes(const std::filesystem::path& path) {
-  if (is_gltf(path)) {
-    const FileBytes bytes = read_file(path);
-    return parse_gltf({bytes.span(), path.string(), path.parent_path()});
-  }
-  Scene scene;
-  scene.unit = "unit";
-  SceneObject object;
-  object.name = as_utf8(path.stem().string());
-  object.shape = std::make_shared<const TriangleMesh>(read_mesh(path));
-  object.source = path.string();
-  scene.objects.push_back(std::move(object));
-  return scene;
+Scene read_shapes(const std::filesystem::path& path, MeshFileIs mesh_file) {
+  const FileBytes bytes = read_file(path);
+  return parse_shapes({bytes.span(), path.string(), path.parent_path()}, lower_case_extension(path),
+                      as_utf8(path.stem().string()), mesh_file);
+}
+
+Scene parse_file(const SceneBytes& source, const std::string& extension, const std::string& name,
+                 MeshFileIs mesh_file) {
+  if (extension == ".json") return parse_scene_file(source);
+  return parse_shapes(source, extension, name, mesh_file);
 }
 
 }  // namespace io
 
 namespace {
-
-Scene read_scene_file(const std::filesystem::path& path) {
-  const io::FileBytes bytes = io::read_file(path);
-  return io::parse_scene_file({bytes.span(), path.string(), path.parent_path()});
-}
 
 Scene generated_scene(const std::string& text) {
   const GeneratorSpecification specification = parse_generator(text);
@@ -98,13 +116,13 @@ void check_options(const ReadOptions& options) {
 }
 
 /// The unit times the scale.
-double factor_of(const std::filesystem::path& path, const ReadOptions& options) {
+double factor_of(const std::string& name, const ReadOptions& options) {
   const double metres = options.metres_per_unit.value_or(1), factor = metres * options.scale;
   if (!io::is_scale(factor))
     throw Error(
         fmt::format("{}: the unit {} times the scale {} is {}, which leaves no shape; change the options unit "
                     "or scale so that their product is between 1e-307 and 1e308",
-                    path.string(), metres, options.scale, factor));
+                    name, metres, options.scale, factor));
   return factor;
 }
 
@@ -130,20 +148,45 @@ void scale_scene(Scene& scene, double factor) {
   }
 }
 
-}  // namespace
-
-Scene read_scene(const std::string& path, const ReadOptions& options) {
+/// What `read` gives, in the unit and with the scale of the options. `extension` is that of the file.
+template <class Read>
+Scene scene_as_asked(const std::string& name, const std::string& extension, const ReadOptions& options,
+                     const Read& read) {
   check_options(options);
-  const bool is_scene_file = io::lower_case_extension(path) == ".json";
-  if (is_scene_file && options.metres_per_unit)
-    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", path));
-  const double factor = factor_of(path, options);
-  Scene scene = is_generator_specification(path) ? generated_scene(path)
-                : is_scene_file                  ? read_scene_file(path)
-                                                 : io::read_shapes(path);
+  if (extension == ".json" && options.metres_per_unit)
+    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", name));
+  const double factor = factor_of(name, options);
+  Scene scene = read();
   scale_scene(scene, factor);
   if (options.metres_per_unit) scene.unit = "m";
   return scene;
+}
+
+io::MeshFileIs mesh_file_of(const ReadOptions& options) {
+  return options.split ? io::MeshFileIs::its_parts : io::MeshFileIs::one_object;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const ReadOptions& options) {
+  const bool is_generated = is_generator_specification(path);
+  const std::string extension = is_generated ? "" : io::lower_case_extension(path);
+  return scene_as_asked(path, extension, options, [&] {
+    if (is_generated) return generated_scene(path);
+    const std::filesystem::path file(path);
+    const io::FileBytes bytes = io::read_file(file);
+    return io::parse_file({bytes.span(), path, file.parent_path()}, extension, io::as_utf8(file.stem().string()),
+                          mesh_file_of(options));
+  });
+}
+
+Scene read_scene(const FileContent& content, const ReadOptions& options) {
+  const std::string extension = "." + content.format;
+  return scene_as_asked(content.name, extension, options, [&] {
+    if (content.bytes.empty()) throw Error(content.name + ": there is nothing in it; is what writes it at fault?");
+    return io::parse_file({content.bytes, content.name, ""}, extension, io::as_utf8(content.name),
+                          mesh_file_of(options));
+  });
 }
 
 double metres_per_unit(std::string_view unit) {

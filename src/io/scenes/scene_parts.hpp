@@ -26,8 +26,11 @@ struct SceneBytes {
 /// The same of what is parsed; names in it start from the folder.
 [[nodiscard]] Scene scene_of(const JsonValue& top, const std::filesystem::path& folder);
 
-/// A file that holds shapes but no scene file: a mesh as one object at the identity, or a glTF.
-[[nodiscard]] Scene read_shapes(const std::filesystem::path& path);
+/// Whether what a mesh file holds is one object.
+enum class MeshFileIs { one_object, its_parts };
+
+/// A file that holds shapes but no scene file: a mesh as one object, or as its parts, at the identity; or a glTF.
+[[nodiscard]] Scene read_shapes(const std::filesystem::path& path, MeshFileIs mesh_file = MeshFileIs::one_object);
 
 [[nodiscard]] bool is_gltf(const std::filesystem::path& path);
 

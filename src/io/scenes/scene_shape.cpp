@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/formats/number_rows.hpp"
+#include "io/formats/pose_text.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/shapes/shape.hpp"
@@ -237,10 +238,9 @@ bool is_left_out(const Pose& pose) {
 
 ScaledPose pose_of(const JsonValue& value) {
   if (value.is_array()) {
-    const std::vector<double> numbers = value.numbers(12);
-    std::array<double, 12> twelve{};
-    std::copy(numbers.begin(), numbers.end(), twelve.begin());
-    const Pose pose = Pose::from_numbers(twelve);
+    const std::size_t count = value.elements().size();
+    const FailPose fail = [&](const std::string& what, const std::string& advice) { value.fail(what, advice); };
+    const Pose pose = pose_of_numbers(value.numbers(is_count_of_pose(count) ? count : 12), fail);
     return {pose, pose.linear, 1};
   }
   value.expect_keys({"translation", "rotation", "scale"});
