@@ -166,7 +166,8 @@ TEST_F(BadQuestion, MissingFile) {
 }
 
 TEST_F(BadQuestion, FolderInsteadOfFile) {
-  expect_trouble(run_command({"check", "good.off", "."}, folder.path()), ".");
+  std::filesystem::create_directory(folder.path() / "empty");
+  expect_trouble(run_command({"check", "good.off", "empty"}, folder.path()), "no mesh file is in this folder");
 }
 
 TEST_F(BadQuestion, PoseThatIsNotFinite) {
