@@ -93,6 +93,42 @@ build() {
   rm -- "$log"
 }
 
+# add_formats step|ifc…: the programs by which the command reads these formats.
+add_formats() {
+  local format
+  if [[ $# -eq 0 ]]; then
+    say "name the formats to add: step, ifc"
+    return 2
+  fi
+  for format in "$@"; do
+    case $format in
+      step)
+        install_packages packages packages-step
+        lock_build_folder
+        configure release -DTOCCATA_WITH_STEP=ON
+        build release toccata_command toccata_read_step
+        ;;
+      ifc)
+        add_ifc
+        ;;
+      *)
+        say "there is no format $format to add: step, ifc (OBJ, STL, PLY, OFF, glTF, GLB and 3MF are always read)"
+        return 2
+        ;;
+    esac
+    say "$format files are read now: ./toccata check FILE"
+  done
+}
+
+# IfcOpenShell in a Python of its own, and a program that runs it.
+add_ifc() {
+  local python=$source_folder/build/formats/ifc program=$source_folder/build/release/apps/toccata/toccata-read-ifc
+  python3 -m venv "$python" && "$python/bin/pip" install --quiet ifcopenshell >&2
+  mkdir -p "$(dirname "$program")"
+  printf '#!/usr/bin/env bash\nexec %q %q "$@"\n' "$python/bin/python" "$source_folder/apps/formats/read_ifc.py" >"$program"
+  chmod +x "$program"
+}
+
 # run_tests [--all | NAME…]: everything that judges a commit, or the tests of a room or with a name. The last thing
 # printed is the summary of the tests, or of the part that failed.
 run_tests() {

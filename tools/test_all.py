@@ -32,6 +32,10 @@ STEPS = {
     "proofs": "python3 tools/check_proofs.py",
     "python": "python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
     "build/python/venv/bin/python -m pytest -q python/tests",
+    "formats": "install_packages packages packages-test packages-step; configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
+    "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
+    "python3 -m venv build/formats/bcf; build/formats/bcf/bin/pip install --quiet bcf-client; "
+    "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata --reader",
     "recipes": "python3 tools/check_recipes.py --build",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "

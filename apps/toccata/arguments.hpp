@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace toccata::command {
 
 /// How a subcommand writes its answer to standard output.
-enum class Format { table, json, csv };
+enum class Format { table, json, csv, stream };
 
 /// Files to read and what their numbers mean.
 struct InputArguments {
@@ -21,13 +22,19 @@ struct InputArguments {
   std::string folder;  ///< where relative names begin; empty: the current one
   std::string unit;    ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;
-  std::string names;    ///< a file that lists files; empty: none
-  std::string format;   ///< of standard input; empty: it is not read
-  bool split = false;   ///< parts of mesh files are objects
-  std::string within;   ///< how near the mesh of a curved surface has to be to it, a length; empty: as is usual
-  std::string cache;   ///< a folder of trees from run to run; empty: none
-  int threads = 0;     ///< to read with
-  std::string wanted;  ///< what the subcommand takes, for the error when there are none
+  std::string names;         ///< a file that lists files; empty: none
+  std::string format;        ///< of standard input; empty: it is not read
+  bool split = false;        ///< parts of mesh files are objects
+  std::string tessellation;  ///< how near the mesh of a curved surface is to be to it, a length; empty: as is usual
+  std::string close;         ///< how wide the gaps of meshes are that are closed, a length; empty: none are
+  std::string cache;         ///< a folder of trees from run to run; empty: none
+  int threads = 0;           ///< to read with
+  std::string wanted;        ///< what the subcommand takes, for the error when there are none
+};
+
+/// Files for other programs; those that are empty are not asked for.
+struct ExchangeFiles {
+  std::string junit, sarif, bcf;
 };
 
 /// What is asked about, and where it is.
@@ -35,18 +42,20 @@ struct PosedArguments {
   InputArguments input;
   std::optional<Pose> pose_a;
   std::optional<Pose> pose_b;
-  std::string poses;                 ///< a file of queries about two objects; empty: all are asked about as they are
-  std::optional<Solid> solid;        ///< overrides what the scene says
-  std::string save_case;             ///< a file for what is asked and the answer; empty: none
-  std::string html;                  ///< a page to write besides; empty: none
-  std::string png;                   ///< a picture of it
-  std::string size;                  ///< of the picture, "1200x800"; empty: that
-  std::string look;                  ///< what the picture shows: the end of a link to the page
-  std::string up;                    ///< "y" or "z"; empty: as the files say
-  std::string glb;                   ///< a GLB file
+  std::string poses;           ///< a file of queries about two objects; empty: all are asked about as they are
+  std::optional<Solid> solid;  ///< overrides what the scene says
+  std::string save_case;       ///< a file for what is asked and the answer; empty: none
+  std::string html;            ///< a page to write besides; empty: none
+  std::string png;             ///< a picture of it
+  std::string size;            ///< of the picture, "1200x800"; empty: that
+  std::string look;            ///< what the picture shows: the end of a link to the page
+  std::string up;              ///< "y" or "z"; empty: as the files say
+  std::string glb;             ///< a GLB file
+  ExchangeFiles exchange;
   std::string glb_option = "--glb";  ///< how it is named on the command line
   Format format = Format::table;
   int threads = 0;
+  double limit_time = std::numeric_limits<double>::infinity();  ///< in seconds, of the whole run of a check
 
   // As they are written, for `take_words`.
   std::vector<std::string> pose_a_words, pose_b_words;

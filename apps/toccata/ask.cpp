@@ -1,8 +1,13 @@
 #include "ask.hpp"
 
+#include <optional>
+#include <variant>
+
+#include "early_end.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "saved.hpp"
+#include "stream.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/reports/case_file.hpp"
@@ -16,9 +21,27 @@ void save(const CheckInput& input, const SceneQuestion& question, const std::str
   write_case({input.loaded.scene, question, answer}, path);
 }
 
-SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, int threads, const std::string& label) {
+SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
+                  const std::string& label) {
+  const Scene& scene = input.loaded.scene;
+  AskOptions options{.threads = arguments.threads};
+  std::optional<EarlyEnd> end;
+  if (std::holds_alternative<CheckQuestion>(question)) {
+    end.emplace(arguments.limit_time);
+    options.stop = [&] { return end->is_due(); };
+  }
+  if (arguments.format == Format::stream) {
+    print_answer(stream_head(scene));
+    options.found = [&](const CheckReport& one) { print_answer(pair_line_json(scene, one, 0) + "\n"); };
+  }
   ProgressBar bar(label);
-  return ask(input.loaded.scene, input.models, question, {threads, bar.callback()});
+  options.progress = bar.callback();
+  return ask(scene, input.models, question, options);
+}
+
+bool is_unfinished(const SceneAnswer& answer) {
+  const auto* check = std::get_if<CheckReport>(&answer);
+  return check != nullptr && check->unfinished > 0;
 }
 
 /// The same question with the faces that meet, and faults, which are drawn whether they are listed or not.
@@ -43,11 +66,16 @@ std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format f
   const LoadedScene& loaded = input.loaded;
   if (format == Format::json) return report_json(loaded.scene, input.models, answer, loaded.warnings);
   if (format == Format::csv) return report_csv(loaded.scene, answer);
+  if (format == Format::stream) return stream_end(input, std::get<CheckReport>(answer));
   if (table) return table(answer);
   return std::visit([&](const auto& report) { return table_of(input, report); }, answer);
 }
 
 }  // namespace
+
+bool is_drawn(const PosedArguments& arguments) {
+  return draws_something(target_of(arguments)) || !arguments.exchange.bcf.empty();
+}
 
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,
                   const PosedArguments& arguments, const TableText& table) {
@@ -65,11 +93,12 @@ std::string json_as_asked(const CheckInput& input, const SceneQuestion& question
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const Asking& asking) {
   const SceneQuestion wanted = asking.is_drawn ? with_faces(question) : question;
-  if (arguments.save_case.empty()) return asked(input, wanted, arguments.threads, asking.label);
+  if (arguments.save_case.empty()) return asked(input, wanted, arguments, asking.label);
   require_distinct({{"--save-case", arguments.save_case}}, arguments.input.files);
   save(input, question, "", arguments.save_case);  // also tells at once where it cannot be written
   try {
-    SceneAnswer answer = asked(input, wanted, arguments.threads, asking.label);
+    SceneAnswer answer = asked(input, wanted, arguments, asking.label);
+    if (is_unfinished(answer)) return answer;  // which is none that asking again gives
     save(input, question, json_as_asked(input, question, answer), arguments.save_case);
     return answer;
   } catch (const Error& error) {
@@ -80,7 +109,7 @@ SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, cons
 
 SceneAnswer answer_to(const SceneQuestion& question, const CheckInput& input, const PosedArguments& arguments,
                       const std::string& label, const AlsoWritten& also) {
-  SceneAnswer answer = ask_for(input, question, arguments, {label, draws_something(target_of(arguments))});
+  SceneAnswer answer = ask_for(input, question, arguments, {label, is_drawn(arguments)});
   give_answer(question, input, answer, arguments, also);
   return answer;
 }

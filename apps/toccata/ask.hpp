@@ -23,6 +23,9 @@ struct Asking {
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const Asking& asking);
 
+/// Whether what is found has to be drawn.
+[[nodiscard]] bool is_drawn(const PosedArguments& arguments);
+
 /// What people read of an answer, where a subcommand has options about it; else `table_of`.
 using TableText = std::function<std::string(const SceneAnswer&)>;
 

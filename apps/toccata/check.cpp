@@ -14,6 +14,8 @@
 #include "check_rules.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
+#include "early_end.hpp"
+#include "exchange.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
@@ -35,6 +37,7 @@ struct CheckCommand : CheckArguments {
   std::string baseline;  ///< a file; empty: none
   PairOrder order = PairOrder::objects;
   FailOn fail_on = FailOn::any;
+  bool by_winding = false;  ///< what is inside open meshes
 
   // As they are written.
   std::string order_word = "objects", fail_on_word = "any";
@@ -51,11 +54,15 @@ const std::vector<Refusal>& refusals() {
   static const std::vector<Refusal> all = {
       {"--self",
        {"--poses", "--penetration", "--clearance", "--clearance-of", "--solid", "--touching", "--rules", "--ignore",
-        "--between", "--baseline", "--sort", "--fail-on"},
+        "--between", "--baseline", "--sort", "--fail-on", "--junit", "--sarif", "--bcf", "--stream", "--limit-time"},
        "--self asks where each object meets itself as a surface, and not about pairs"},
       {"--poses",
-       {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort"},
+       {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort", "--junit",
+        "--sarif", "--bcf", "--stream", "--limit-time"},
        "--poses asks about two objects at many poses, and not about the pairs of a scene"},
+      {"--stream",
+       {"--json", "--csv", "--baseline", "--sort", "--save-case"},
+       "--stream tells pairs as they are found, each for itself, before all are known"},
   };
   return all;
 }
@@ -81,7 +88,11 @@ bool is_failure(const ReportedPair& pair, FailOn fail_on) {
   return true;
 }
 
+/// Of a check that was stopped, whatever it found.
+constexpr int unfinished_code = 3;
+
 int code_of(const CheckReport& report, FailOn fail_on) {
+  if (report.unfinished > 0) return unfinished_code;
   const auto fails = [&](const ReportedPair& pair) { return is_failure(pair, fail_on); };
   return std::any_of(report.pairs.begin(), report.pairs.end(), fails) ? 1 : 0;
 }
@@ -116,19 +127,39 @@ CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
   question.rules = read_rules(arguments.rules, loaded.scene, loaded.warnings);
   if (!arguments.baseline.empty()) question.baseline = read_baseline(arguments.baseline, loaded.scene);
   question.order = arguments.order;
+  question.by_winding = arguments.by_winding;
   return question;
 }
 
+void warn_of_unfinished(LoadedScene& loaded, const CheckReport& report) {
+  if (report.unfinished == 0) return;
+  loaded.warnings.push_back(
+      fmt::format("the check was stopped {}: {} of {} were not looked at, and what is told is not all",
+                  was_interrupted() ? "as it was interrupted" : "at its time limit", grouped(report.unfinished),
+                  counted(report.candidate_pairs, "pair")));
+}
+
+/// Writes what other programs read of the answer.
+AlsoWritten exchange_of(const CheckCommand& arguments) {
+  return [&arguments](const CheckInput& input, const SceneAnswer& answer) {
+    return write_exchange(input, answer, arguments,
+                          [&](const ReportedPair& pair) { return is_failure(pair, arguments.fail_on); });
+  };
+}
+
 int run_check(const CheckCommand& arguments, const std::vector<std::string>& asking) {
+  require_exchange(arguments);
   const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
                            arguments.touching != Touching::count || !arguments.clearance.empty() ||
                            !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
                            !arguments.baseline.empty() || arguments.order != PairOrder::objects ||
                            arguments.fail_on != FailOn::any || changes_objects(arguments);
-  if (const auto code = answered_case(arguments, {.asks = "check",
-                                                  .asks_itself = asks_itself,
-                                                  .takes_any = true,
-                                                  .asking = asks_itself ? asking : std::vector<std::string>{}}))
+  if (const auto code = answered_case(arguments,
+                                      {.asks = "check",
+                                       .asks_itself = asks_itself,
+                                       .takes_any = true,
+                                       .asking = asks_itself ? asking : std::vector<std::string>{}},
+                                      exchange_of(arguments)))
     return *code;
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
@@ -142,8 +173,11 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
                     arguments.input.files.front()));
   warn_of_open_meshes(input, arguments.threads);
   const CheckQuestion question = question_of(arguments, loaded);
-  const SceneAnswer answer = answer_to(question, input, arguments, "checking");
-  return code_of(std::get<CheckReport>(answer), arguments.fail_on);
+  SceneAnswer answer = ask_for(input, question, arguments, {"checking", is_drawn(arguments)});
+  warn_of_unfinished(input.loaded, std::get<CheckReport>(answer));
+  const int code = code_of(std::get<CheckReport>(answer), arguments.fail_on);
+  give_answer(question, input, answer, arguments, exchange_of(arguments));
+  return code;
 }
 
 }  // namespace
@@ -243,7 +277,13 @@ Subcommand add_check(CLI::App& app) {
   CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
   add_input(*check, arguments->input, any_files);
   add_poses(*check, *arguments);
-  add_solid(*check, *arguments);
+  check
+      ->add_option("--solid", arguments->solid_word,
+                   "auto: watertight meshes are solids; all: an open mesh is an error; none: all are surfaces; "
+                   "by-winding: as auto, and what lies inside an open mesh by its generalised winding number overlaps "
+                   "it, undecided (default: as the scene says, else auto)")
+      ->check(CLI::IsMember({"auto", "all", "none", "by-winding"}));
+  add_close(*check, arguments->input);
   check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
       ->check(CLI::IsMember({"count", "ignore"}))
       ->capture_default_str();
@@ -280,9 +320,18 @@ Subcommand add_check(CLI::App& app) {
   check->add_flag("--faces", arguments->faces,
                   "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
   add_writing(*check, *arguments, "docs/reference/check-report.md");
+  add_exchange(*check, arguments->exchange);
+  check->add_flag_callback(
+      "--stream", [arguments] { arguments->format = Format::stream; },
+      "write JSON lines, each pair as soon as it is found, and a last line that says whether these are all");
+  check
+      ->add_option("--limit-time", arguments->limit_time,
+                   "seconds for the whole run: then what is found is told, and how many pairs are left (none)")
+      ->check(CLI::PositiveNumber);
   check->footer(
       with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is (--fail-on says what "
-                "counts), 2 trouble.\n\n"
+                "counts), 2 trouble, 3 stopped by "
+                "--limit-time or Ctrl-C before all pairs were looked at.\n\n"
                 "Example:\n"
                 "  {0} demo --write scenes\n"
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"
@@ -300,6 +349,8 @@ Subcommand add_check(CLI::App& app) {
             if (arguments->fail_on_word == "new" && arguments->baseline.empty())
               throw Error(
                   "--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
+            arguments->by_winding = arguments->solid_word == "by-winding";
+            if (arguments->by_winding) arguments->solid_word = "auto";
             take_words(*arguments);
             arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
             if (arguments->order_word == "severity") arguments->order = PairOrder::severity;

@@ -11,6 +11,8 @@
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/query_files.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/shapes/close_mesh.hpp"
+#include "toccata/shapes/mesh_health.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -54,6 +56,18 @@ std::vector<SceneInstance> models_of(LoadedScene& loaded, const PosedArguments& 
 /// Not a height field, which everybody knows to be open.
 bool is_mesh(const Model& model) { return kind_of(model.shape()) == ShapeKind::mesh; }
 
+/// By which gap the mesh would be closed, where one that is not large does; empty where none does, or it would take
+/// long to find out.
+std::string how_to_close(const SceneInstance& posed) {
+  constexpr Index most_triangles = 200'000;
+  const TriangleMesh& mesh = posed.model.mesh();
+  if (mesh.triangle_count() > most_triangles) return {};
+  const std::optional<double> gap = closing_gap(mesh);
+  if (!gap) return {};
+  return fmt::format("{} has {} and is closed by --close {:.2g}; ", posed.name,
+                     counted(inspect(mesh).boundary_edges, "boundary edge"), *gap);
+}
+
 }  // namespace
 
 CheckInput read_check_input(const PosedArguments& arguments) {
@@ -62,6 +76,7 @@ CheckInput read_check_input(const PosedArguments& arguments) {
   CheckInput input{load(files), {}};
   apply_poses(input.loaded, arguments);
   apply_solid(input.loaded.scene, arguments.solid);
+  close_meshes(input.loaded, arguments.input);
   input.models = models_of(input.loaded, arguments);
   return input;
 }
@@ -85,16 +100,20 @@ void warn_of_open_meshes(CheckInput& input, int threads) {
     if (posed.solid == Solid::automatic && is_mesh(posed.model)) static_cast<void>(posed.model.closed());
   });
   std::vector<std::string> open;
+  const SceneInstance* first_open = nullptr;
   for (const SceneInstance& posed : input.models)
-    if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) open.push_back(posed.name);
+    if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) {
+      open.push_back(posed.name);
+      if (first_open == nullptr) first_open = &posed;
+    }
   if (open.empty()) return;
   const std::size_t shown = std::min(open.size(), most_names);
   input.loaded.warnings.push_back(fmt::format(
-      "{} of {} {} open and taken as surface{}, which contain{} nothing: {}{} (inspect tells why; --solid=none says "
+      "{} of {} {} open and taken as surface{}, which contain{} nothing: {}{} ({}inspect tells why; --solid=none says "
       "that surfaces are meant)",
       open.size(), counted(input.models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
       open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-      shown < open.size() ? ", …" : ""));
+      shown < open.size() ? ", …" : "", how_to_close(*first_open)));
 }
 
 void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {

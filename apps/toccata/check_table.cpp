@@ -26,6 +26,10 @@ std::string near_text(const ReportedPair& pair) {
          (is_decided ? "" : " (undecided: within 10⁻¹² of its clearance)");
 }
 
+std::string winding_text(const WindingNumber& winding) {
+  return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
+}
+
 std::string verb_of(const FormerPair& pair) {
   Relation relation;
   relation.kind = pair.kind;
@@ -43,8 +47,10 @@ std::string since_text(const ReportedPair& pair, const std::string& verb) {
 std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair, bool has_baseline) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
   const std::string verb = is_near ? "clearance clash" : verb_of(pair.relation);
-  std::vector<std::string> row{names[pair.a], verb, names[pair.b],
-                               is_near ? near_text(pair) : remark_on(pair.relation)};
+  const std::string remark = pair.winding ? winding_text(*pair.winding)
+                             : is_near    ? near_text(pair)
+                                          : remark_on(pair.relation);
+  std::vector<std::string> row{names[pair.a], verb, names[pair.b], remark};
   if (has_baseline) row.insert(row.begin(), since_text(pair, verb));
   return row;
 }
@@ -210,7 +216,8 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
                                  counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
   if (report.clearance) text += clearance_line(scene, report);
   if (report.pairs.empty())
-    text += std::string("Nothing collides") + (report.clearance ? " or is nearer than its clearance" : "") +
+    text += std::string(report.unfinished > 0 ? "Nothing of what was looked at collides" : "Nothing collides") +
+            (report.clearance ? " or is nearer than its clearance" : "") +
             (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");
   else
     text += pair_lines(scene, report) +
@@ -219,6 +226,9 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
                         decided_text(undecided));
   if (report.ignored_touching > 0)
     text += fmt::format("{} merely touching, ignored as asked.\n", counted(report.ignored_touching, "pair"));
+  if (report.unfinished > 0)
+    text += fmt::format("Stopped: {} not looked at; what is told is right, and not all.\n",
+                        counted(report.unfinished, "pair"));
   if (report.left_out.value_or(0) > 0)
     text += fmt::format("{} left out by rules, not looked at.\n", counted(*report.left_out, "pair"));
   if (report.baseline) text += baseline_lines(report);

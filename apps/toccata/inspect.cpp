@@ -35,6 +35,17 @@ std::string closed_text(const MeshHealth& h) {
                      grouped(h.boundary_edges), grouped(h.flipped_edges), grouped(h.non_manifold_edges));
 }
 
+/// How far an open mesh is from closed.
+std::string open_text(const InspectedObject& object) {
+  const std::string holes = counted(object.boundaries, "hole or rim", "holes or rims");
+  if (!object.closing_gap)
+    return fmt::format(
+        "{}, and none of the gaps up to a fiftieth of its size closes it (--close): faces are missing, "
+        "or it is meant to be a surface",
+        holes);
+  return fmt::format("{}; gaps of {:.2g} in file units closed, it is watertight (--close)", holes, *object.closing_gap);
+}
+
 /// Only what is there is worth a line.
 void add_finding(std::vector<std::vector<std::string>>& rows, std::size_t count, const std::string& name,
                  const std::string& meaning) {
@@ -52,10 +63,18 @@ void add_mesh_rows(Rows& rows, const InspectedObject& object) {
       {"box", box_text({h.lower, h.upper}) + " in file units"},
       {"watertight", closed_text(h)}};
   rows.insert(rows.end(), described.begin(), described.end());
+  if (object.boundaries > 0) rows.push_back({"open", open_text(object)});
+  if (h.flipped_edges > 0)
+    rows.push_back({"winding", fmt::format("inconsistent: {} run through in one direction by both their triangles",
+                                           counted(h.flipped_edges, "edge"))});
+  if (object.self_intersections.value_or(0) > 0)
+    rows.push_back(
+        {"self-intersections", fmt::format("{} of triangles meet otherwise than neighbours do (check --self)",
+                                           counted(*object.self_intersections, "pair"))});
   if (h.closed) rows.push_back({"volume", fmt::format("{:.6g} in file units cubed", h.signed_volume)});
   add_finding(rows, h.closed ? h.non_manifold_edges : 0, "non-manifold edges", "used by more than two triangles");
   add_finding(rows, h.degenerate_triangles, "degenerate triangles", "without area; kept, and answered exactly");
-  add_finding(rows, h.duplicate_triangles, "duplicate triangles", "the same three vertices as an earlier one; kept");
+  add_finding(rows, h.duplicate_triangles, "duplicate faces", "the same three vertices as an earlier one; kept");
   add_finding(rows, h.unused_vertices, "unused vertices", "in no triangle; ignored");
 }
 
@@ -217,6 +236,7 @@ Subcommand add_inspect(CLI::App& app) {
   const auto arguments = std::make_shared<InspectArguments>();
   CLI::App* inspect = app.add_subcommand("inspect", "what meshes and shapes are: watertight? degenerate? how large?");
   add_input(*inspect, arguments->input, "mesh or scene files");
+  add_close(*inspect, arguments->input);
   CLI::Option* volumes =
       inspect->add_flag("--volumes", arguments->volumes,
                         "every bounding volume and hierarchy of each mesh: size, tightness, memory, time to build");
@@ -235,8 +255,8 @@ Subcommand add_inspect(CLI::App& app) {
   add_glb(*inspect, *arguments);
   add_save_case(*inspect, arguments->save_case);
   inspect->footer(
-      with_name("Nothing is repaired; everything is counted exactly. Where a mesh intersects itself is told "
-                "by `{0} check FILE --self`.\n\nExample:\n  {0} inspect part.stl\n"
+      with_name("Nothing is repaired unless --close says so; everything is counted exactly. Where a mesh intersects "
+                "itself is told by `{0} check FILE --self --faces`.\n\nExample:\n  {0} inspect part.stl\n"
                 "  {0} inspect machine.glb --hierarchy"));
   return {inspect,
           [arguments] { return arguments->hierarchy ? run_inspect_hierarchy(*arguments) : run_inspect(*arguments); }};

@@ -14,6 +14,7 @@
 #include <span>
 #include <variant>
 
+#include "converted.hpp"
 #include "memory.hpp"
 #include "named_files.hpp"
 #include "progress_bar.hpp"
@@ -153,22 +154,28 @@ class FilesRead {
   std::mutex mutex_;
 };
 
-/// The scenes of all files, several at once; one that is named twice is read once.
-std::map<std::string, Scene> read_all(const InputArguments& input) {
-  const std::vector<std::string> files = different_files(input.files);
+/// What one of the files holds, whatever its format.
+ConvertedScene read_file(const std::string& file, const fs::path& path, const InputArguments& input) {
   const ReadOptions options = read_options(input);
+  if (file == standard_input) return {scene_of_standard_input(input, options), {}};
+  if (is_converted(path.string())) return read_converted(path.string(), {options, input.tessellation});
+  return {read_scene(path.string(), options), {}};
+}
+
+/// The scenes of all files, several at once; one that is named twice is read once.
+std::map<std::string, ConvertedScene> read_all(const InputArguments& input) {
+  const std::vector<std::string> files = different_files(input.files);
   std::vector<fs::path> paths;
   for (const std::string& file : files) paths.push_back(path_of(file, input.folder));
   require_memory(paths);
-  std::vector<Scene> scenes(files.size());
+  std::vector<ConvertedScene> scenes(files.size());
   ProgressBar bar("MB read");
   FilesRead progress(paths, bar.callback());
   parallel_for(files.size(), input.threads, [&](std::size_t i) {
-    scenes[i] = files[i] == standard_input ? scene_of_standard_input(input, options)
-                                           : read_scene(paths[i].string(), options);
+    scenes[i] = read_file(files[i], paths[i], input);
     progress.finished(i);
   });
-  std::map<std::string, Scene> read;
+  std::map<std::string, ConvertedScene> read;
   for (std::size_t i = 0; i < files.size(); ++i) read.emplace(files[i], std::move(scenes[i]));
   return read;
 }
@@ -201,14 +208,16 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   LoadedScene loaded;
-  const std::map<std::string, Scene> read = read_all(input);
+  const std::map<std::string, ConvertedScene> read = read_all(input);
   FreeNames names;
   std::set<std::string> known;
   for (const std::string& file : input.files) {
     const bool file_is_new = known.insert(file).second;
     loaded.first_object.push_back(loaded.scene.objects.size());
     loaded.first_node.push_back(loaded.scene.nodes.size());
-    const Scene& scene = read.at(file);
+    const Scene& scene = read.at(file).scene;
+    if (file_is_new)
+      loaded.warnings.insert(loaded.warnings.end(), read.at(file).notes.begin(), read.at(file).notes.end());
     if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
     loaded.units.push_back(scene.unit);
     if (scene.unit != loaded.scene.unit)

@@ -19,6 +19,10 @@ struct LoadedScene {
   std::size_t told_warnings = 0;     ///< so many of the first warnings have been printed
 };
 
+/// Closes the gaps of the open meshes as --close says, and warns of each what was done. Throws Error for what is no
+/// length.
+void close_meshes(LoadedScene& loaded, const InputArguments& input);
+
 /// Reads all files into one scene. Objects of different files that are named alike get the file's path, or a number,
 /// added to their names. A file named twice is read once.
 LoadedScene load(const InputArguments& input);

@@ -22,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a folder stands for. A scene file names meshes that often lie beside it: it is named itself.
-constexpr std::array<std::string_view, 10> formats_in_folders = {"obj", "stl", "ply", "off",  "gltf",
-                                                                "glb", "3mf", "step", "stp", "ifc"};
+constexpr std::array<std::string_view, 10> formats_in_folders = {"obj", "stl", "ply",  "off", "gltf",
+                                                                 "glb", "3mf", "step", "stp", "ifc"};
 
 std::string lower_case_format(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -68,7 +68,8 @@ std::vector<std::string> files_matching(const std::string& pattern) {
     std::error_code unknown;
     return fs::is_directory(file, unknown);
   });
-  if (files.empty()) throw Error(fmt::format("{}: no file has a name like this; check the pattern and the folder", pattern));
+  if (files.empty())
+    throw Error(fmt::format("{}: no file has a name like this; check the pattern and the folder", pattern));
   return files;
 }
 
@@ -117,9 +118,7 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
 
 }  // namespace
 
-std::string readable_formats() {
-  return "obj, stl, ply, off, gltf, glb, 3mf, step, ifc or a scene file (json)";
-}
+std::string readable_formats() { return "obj, stl, ply, off, gltf, glb, 3mf, step, ifc or a scene file (json)"; }
 
 std::string read_standard_input() {
   std::cin >> std::noskipws;

@@ -22,6 +22,8 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   add_text(app, "--format", input.format, "what standard input is: obj, stl, ply, off, gltf, glb, json",
            "a format must be named")
       ->type_name("FORMAT");
+  add_length(app, "--tessellation", input.tessellation,
+             "how near the triangles of curved faces of STEP and IFC files are to be to them (0.1mm, 1mm)");
   app.add_flag("--split", input.split, "the objects and groups of OBJ files and the solids of STL files, each alone");
   app.add_option(
       "--unit", input.unit,
@@ -124,6 +126,13 @@ CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments) {
       ->check(CLI::IsMember({"auto", "all", "none"}));
 }
 
+CLI::Option* add_close(CLI::App& app, InputArguments& input) {
+  return add_length(
+      app, "--close", input.close,
+      "close gaps of open meshes that are no wider (0.01mm): vertices of their boundaries become one, and "
+      "narrow holes are filled; told of each mesh, the files stay as they are");
+}
+
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments) {
   CLI::Option* clearance =
       add_length(app, "--clearance", arguments.clearance,
@@ -167,8 +176,9 @@ void take_words(PosedArguments& arguments) {
 }
 
 std::vector<std::string> asking_options(const CLI::App& app) {
-  constexpr std::array writing{"--json", "--csv", "--threads", "--html",      "--png",  "--size",
-                               "--look", "--glb", "--output",  "--save-case", "--cache"};
+  constexpr std::array writing{"--json",  "--csv",   "--threads", "--html",   "--png",
+                               "--size",  "--look",  "--glb",     "--output", "--save-case",
+                               "--cache", "--junit", "--sarif",   "--bcf",    "--names"};
   const auto is_about_writing = [&](const CLI::Option& option) {
     return std::any_of(writing.begin(), writing.end(), [&](const char* name) { return option.check_name(name); });
   };

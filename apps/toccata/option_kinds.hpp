@@ -58,6 +58,9 @@ void add_writing(CLI::App& app, PosedArguments& arguments, const std::string& re
 
 CLI::Option* add_solid(CLI::App& app, PosedArguments& arguments);
 
+/// --close, for questions that it matters to whether a mesh is a solid.
+CLI::Option* add_close(CLI::App& app, InputArguments& input);
+
 /// --clearance and --clearance-of; returns both.
 std::array<CLI::Option*, 2> add_clearances(CLI::App& app, CheckArguments& arguments);
 

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "file_text.hpp"
+#include "finding_words.hpp"
 #include "look.hpp"
 #include "output.hpp"
 #include "temporary_folder.hpp"
@@ -47,17 +48,6 @@ std::string find_browser() {
   }
   throw Error(
       "no Chromium was found to draw a picture with: install it (apt-get install chromium), or write a page with -o");
-}
-
-/// A path in an address: what means something there, and what is no letter, by its number.
-std::string in_address(const std::string& path) {
-  std::string address;
-  for (const char c : path) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                          std::string_view("/-_.~").find(c) != std::string_view::npos;
-    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return address;
 }
 
 std::vector<std::string> words_of(const std::string& browser, const fs::path& folder, const PictureTarget& target) {

@@ -42,16 +42,25 @@ void ProgressBar::keep_showing() {
 void ProgressBar::show() {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_).count();
   const std::string so_far = total_ == 0 ? "" : fmt::format(" {}/{}", done_, total_);
+  const std::string left = time_left(std::chrono::duration<double>(Clock::now() - start_).count());
   if (!terminal_) {
-    fmt::print(stderr, "toccata: {}{}, {} min\n", label_, so_far, seconds / 60);
+    fmt::print(stderr, "toccata: {}{}, {} min{}\n", label_, so_far, seconds / 60, left);
     return;
   }
   drawn_ = true;
   constexpr std::size_t width = 32;
   const std::size_t filled = total_ == 0 ? 0 : width * done_ / total_;
   const std::string bar = total_ == 0 ? "" : fmt::format(" [{:#<{}}{:.<{}}]", "", filled, "", width - filled);
-  fmt::print(stderr, "\r{}{}{}, {} s\033[K", label_, bar, so_far, seconds);
+  fmt::print(stderr, "\r{}{}{}, {} s{}\033[K", label_, bar, so_far, seconds, left);
   std::fflush(stderr);
+}
+
+std::string ProgressBar::time_left(double seconds) const {
+  constexpr double soonest = 2;  // before it nothing can be told
+  if (seconds < soonest || done_ == 0 || done_ >= total_) return {};
+  const double rate = static_cast<double>(done_) / seconds, left = static_cast<double>(total_ - done_) / rate;
+  return fmt::format(", {:.3g} a second, some {} left", rate,
+                     left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60));
 }
 
 }  // namespace toccata::command

@@ -26,6 +26,8 @@ class ProgressBar {
  private:
   void keep_showing();
   void show();
+  /// How fast it goes and how long it will take at that; empty where that cannot be told.
+  [[nodiscard]] std::string time_left(double seconds) const;
 
   using Clock = std::chrono::steady_clock;
   std::string label_;

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "named_files.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 
@@ -52,6 +53,9 @@ PosedArguments arguments_of(const Asked& asked, const fs::path& folder, int thre
   arguments.input.folder = folder.string();
   arguments.input.unit = asked.unit;
   arguments.input.scale = asked.scale;
+  arguments.input.split = asked.split;
+  arguments.input.tessellation = asked.tessellation;
+  arguments.input.close = asked.close;
   arguments.pose_a = asked.pose_a;
   arguments.pose_b = asked.pose_b;
   arguments.solid = asked.solid;
@@ -61,6 +65,9 @@ PosedArguments arguments_of(const Asked& asked, const fs::path& folder, int thre
 
 /// The first of the files that is not there.
 std::optional<fs::path> missing_file(const Asked& asked, const fs::path& folder) {
+  for (const AskedFile& file : asked.files)
+    if (file.name == standard_input)
+      throw Error("it is about what standard input held, which is not kept; ask about a file");
   std::error_code trouble;  // of a name that is too long, say
   for (const AskedFile& file : asked.files)
     if (!is_generator_specification(file.name) && !fs::exists(folder / file.name, trouble)) return folder / file.name;
@@ -120,6 +127,9 @@ Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const S
           files_of(input.loaded, arguments.input.files, question),
           arguments.input.unit,
           arguments.input.scale,
+          arguments.input.split,
+          arguments.input.tessellation,
+          arguments.input.close,
           arguments.pose_a,
           arguments.pose_b,
           arguments.solid,

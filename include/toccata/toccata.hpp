@@ -39,6 +39,7 @@
 #include "toccata/query/scene_index.hpp"
 #include "toccata/query/self_contacts.hpp"
 #include "toccata/query/signed_distance.hpp"
+#include "toccata/shapes/close_mesh.hpp"
 #include "toccata/shapes/convex_hull.hpp"
 #include "toccata/shapes/height_field.hpp"
 #include "toccata/shapes/mesh_health.hpp"

@@ -38,6 +38,15 @@ Mark mark_of(OutputKind kind) {
       return {"a picture", png_mark_place + 4, png_mark};
     case OutputKind::case_file:
       return {"a case", 0, "{\n \"comment\": \"Case of Toccata"sv};
+    case OutputKind::junit:
+      return {"a JUnit report", 0, "<?xml version=\"1.0\"?>\n<!-- JUnit XML of Toccata"sv};
+    case OutputKind::sarif:
+      return {
+          "a SARIF report", 0,
+          "{\n \"$schema\": \"https://json.schemastore.org/sarif-2.1.0.json\",\n \"version\": \"2.1.0\",\n \"runs\": "
+          "[\n  {\n   \"tool\": {\n    \"driver\": {\n     \"name\": \"Toccata"sv};
+    case OutputKind::bcf:  // the first entry of the zip, which is not compressed, behind its name
+      return {"a BCF file", 41, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- BCF of Toccata"sv};
     case OutputKind::plot:
       break;
   }

@@ -20,6 +20,22 @@ std::string error_of_obj(const std::string& text) {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
+TEST(Obj, PartsAreWhatStandsUnderTheSameNamesWithTheVerticesThatTheyUse) {
+  const std::string text = triangle + "f 3 2 1\no car\nv 5 5 5\nf 1 2 4\ng left  door\nf 2 4 3\nv 7 7 7\n" +
+                           "o car\nf 4 3 5\no house\ng house\nf 1 2 3\ng\n";
+  const std::vector<NamedPolygons> parts = parse_obj_parts(bytes_of(text), "a.obj");
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_EQ(parts[0].name, "");
+  EXPECT_EQ(parts[0].mesh.corners, (std::vector<Index>{2, 1, 0}));
+  EXPECT_EQ(parts[1].name, "car");
+  EXPECT_EQ(parts[1].mesh.vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {7, 7, 7}}));
+  EXPECT_EQ(parts[1].mesh.corners, (std::vector<Index>{0, 1, 3, 3, 2, 4}));
+  EXPECT_EQ(parts[1].mesh.first, (std::vector<Index>{0, 3, 6}));
+  EXPECT_EQ(parts[2].name, "car/left door");
+  EXPECT_EQ(parts[2].mesh.vertices, (std::vector<Vec3>{{1, 0, 0}, {0, 1, 0}, {5, 5, 5}}));
+  EXPECT_EQ(parts[3].name, "house");
+}
+
 TEST(Obj, VerticesAndFacesAreKeptInTheirOrder) {
   const PolygonMesh mesh = obj(triangle + "v 1 1 0.1\nf 1 2 3\nf 2 4 3 1\n");
   EXPECT_EQ(mesh.vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.1}}));

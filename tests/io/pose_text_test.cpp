@@ -24,6 +24,12 @@ TEST(PoseText, TwelveNumbersAreAPoseAndThreeATranslation) {
   EXPECT_EQ(pose_from_text(" 1,-2,3e1 "), Pose::translation(1, -2, 30));
 }
 
+TEST(PoseText, SixteenNumbersAreAMatrixAndSevenATranslationWithAQuaternion) {
+  EXPECT_EQ(pose_from_text("1 2 3 10 4 5 6 11 7 8 9 12 0 0 0 1"),
+            Pose::from_numbers({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(pose_from_text("1 2 3 0 0 3 3"), (Pose{rotation_of({.z = 3, .w = 3}), {1, 2, 3}}));
+}
+
 TEST(PoseText, WordsTurnFirstAndThenTranslate) {
   EXPECT_EQ(pose_from_text("translation=1,2,3 axis=0,0,2 degrees=90"),
             (Pose{rotation_about({0, 0, 1}, 90), {1, 2, 3}}));
@@ -44,8 +50,12 @@ TEST(PoseText, SmallLettersTurnAboutFixedAxesAndCapitalsAboutTurnedOnes) {
 TEST(PoseText, ErrorsTellTheTextAndWhatToWrite) {
   EXPECT_EQ(
       error_of_pose("1 2"),
-      "the pose \"1 2\": a pose of 2 numbers; write 12 numbers, R row by row and then t; 3, a translation; or words "
-      "such as translation=1,0,0 axis=0,0,1 degrees=90");
+      "the pose \"1 2\": a pose of 2 numbers; write 12 numbers, R row by row and then t; 16, a 4 × 4 matrix row by "
+      "row; 7, a translation and a quaternion x y z w; 3, a translation; or words such as translation=1,0,0 "
+      "axis=0,0,1 degrees=90");
+  EXPECT_NE(error_of_pose("1 0 0 0 0 1 0 0 0 0 1 0 5 0 0 1").find("column by column"), std::string::npos);
+  EXPECT_NE(error_of_pose("1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 2").find("not 0 0 0 1; write"), std::string::npos);
+  EXPECT_NE(error_of_pose("1 2 3 0 0 0 0").find("the quaternion is zero"), std::string::npos);
   EXPECT_NE(error_of_pose("").find("there is no pose"), std::string::npos);
   EXPECT_NE(error_of_pose("1 2 three").find("\"three\" is no number"), std::string::npos);
   EXPECT_NE(error_of_pose("turn=1").find("\"turn\" is not known"), std::string::npos);

@@ -35,6 +35,19 @@ TEST(PosesFile, TwentyFourPlaceAAndThenB) {
   EXPECT_EQ(queries[0].pose_b, Pose{});
 }
 
+TEST(PosesFile, LinesOfMatricesAndQuaternionsPlaceBOrBoth) {
+  const std::string matrix = "1 0 0 5 0 1 0 6 0 0 1 7 0 0 0 1 ", quaternion = "5 6 7 0 0 0 2 ";
+  const Pose moved = Pose::translation(5, 6, 7);
+  const auto queries =
+      poses(matrix + "\n" + quaternion + "\n" + matrix + matrix + "\n" + quaternion + quaternion + "\n");
+  ASSERT_EQ(queries.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(queries[i].pose_a, i < 2 ? Pose{} : moved) << i;
+    EXPECT_EQ(queries[i].pose_b, moved) << i;
+  }
+  EXPECT_NE(error_of_poses("1 0 0 0 0 1 0 0 0 0 1 0 5 6 7 1\n").find("p.txt:1: the last row"), std::string::npos);
+}
+
 TEST(PosesFile, EveryNumberIsTheNearestDouble) {
   const auto queries = poses("0.1 1e-320 -0 +.5 5. 1e23 9007199254740993 2.2250738585072011e-308 1E2 0 1e-400 -7\n");
   EXPECT_EQ(queries[0].pose_b, Pose::from_numbers({0.1, 1e-320, -0.0, 0.5, 5, 1e23, 9007199254740992.0,

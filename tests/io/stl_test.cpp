@@ -48,6 +48,20 @@ std::string binary(const std::vector<Vec3>& vertices, const std::string& header 
 
 const std::vector<Vec3> two_facets = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {0, 0, 0}, {0, 1, 0.1}, {1, 0, 0}};
 
+TEST(Stl, SolidsOfATextAreParts) {
+  const std::string text =
+      "solid left  wheel\n" + facet + "endsolid\nsolid\nendsolid\nSOLID right\n" + facet + facet + "endsolid right\n";
+  const std::vector<NamedMesh> solids = parse_stl_solids(bytes_of(text), "a.stl");
+  ASSERT_EQ(solids.size(), 2U);
+  EXPECT_EQ(solids[0].name, "left wheel");
+  EXPECT_EQ(solids[0].mesh.triangle_count(), 1U);
+  EXPECT_EQ(solids[1].name, "right");
+  EXPECT_EQ(solids[1].mesh.triangle_count(), 2U);
+  EXPECT_EQ(solids[1].mesh.vertices().size(), 3U);
+  EXPECT_EQ(stl(text).triangle_count(), 3U);
+  EXPECT_EQ(parse_stl_solids(bytes_of(binary(two_facets)), "a.stl").size(), 1U);
+}
+
 TEST(Stl, CornersOfTheSameCoordinatesAreOneVertex) {
   const std::string other =
       "facet normal 0 0 1\nouter loop\nvertex 2 0 0\nvertex 0 1 0.1\nvertex 1 0 0\nendloop\nendfacet\n";

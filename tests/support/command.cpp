@@ -19,11 +19,6 @@ void redirect(const std::filesystem::path& file, int descriptor) {
   close(opened);
 }
 
-std::string command_file() {
-  const char* of_environment = std::getenv("TOCCATA_TEST_COMMAND");
-  return of_environment != nullptr && *of_environment != '\0' ? of_environment : TOCCATA_COMMAND;
-}
-
 [[noreturn]] void become_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   std::vector<char*> arguments;
   std::string program = command_file();
@@ -36,6 +31,11 @@ std::string command_file() {
 }
 
 }  // namespace
+
+std::string command_file() {
+  const char* of_environment = std::getenv("TOCCATA_TEST_COMMAND");
+  return of_environment != nullptr && *of_environment != '\0' ? of_environment : TOCCATA_COMMAND;
+}
 
 CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   const TemporaryFolder results;

@@ -22,6 +22,9 @@ CommandResult run_command(const std::vector<std::string>& words, const std::file
 /// what was seen.
 [[nodiscard]] std::string seen_on_terminal(const std::vector<std::string>& words, const std::string& awaited);
 
+/// The program that `run_command` runs.
+[[nodiscard]] std::string command_file();
+
 /// All that is in a file; nothing where there is none.
 [[nodiscard]] std::string text_of(const std::filesystem::path& file);
 

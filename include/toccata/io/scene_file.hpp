@@ -18,8 +18,8 @@ struct ReadOptions {
   /// Multiplies everything in the file, poses included; positive and finite, as is its product with the unit, which
   /// must also keep the full precision of a double (2.3e-308 or more): it is an Error when a shape would collapse.
   double scale = 1;
-  /// The objects and groups of an OBJ file and the solids of a text STL file are objects of their own, by the names that
-  /// they have there; each is numbered by itself. Else such a file is one object.
+  /// The objects and groups of an OBJ file and the solids of a text STL file are objects of their own, by the names
+  /// that they have there; each is numbered by itself. Else such a file is one object.
   bool split = false;
 };
 
@@ -39,6 +39,10 @@ struct FileContent {
 
 /// The same of a file that is in memory. Names of other files in it begin at the current folder.
 [[nodiscard]] Scene read_scene(const FileContent& content, const ReadOptions& options = {});
+
+/// Everything in the scene so many times as large, as `ReadOptions::scale` makes it. Throws Error naming an object that
+/// shrinks to nothing or grows beyond the doubles.
+[[nodiscard]] Scene scaled(Scene scene, double factor);
 
 /// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same
 /// objects with the same doubles; the node tree is not written. Names and groups must be UTF-8, and names unique:

@@ -6,7 +6,7 @@
 namespace toccata {
 
 /// The files for people that Toccata makes. Each holds a mark by which it knows its own again.
-enum class OutputKind { page, glb, picture, plot, case_file };
+enum class OutputKind { page, glb, picture, plot, case_file, junit, sarif, bcf };
 
 /// Throws Error naming the file when write_output would refuse it: it exists and was not written by Toccata as this
 /// kind, is no regular file, or its folder is missing or cannot be written to; of a page or GLB file also when its name

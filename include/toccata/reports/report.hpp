@@ -66,6 +66,8 @@ struct ReportedPair {
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;  ///< filled when the answer has distances
   std::optional<FormerPair> was{};   ///< in the baseline, where there is one and the pair is in it; a and b as here
+  /// Of the open mesh about the other, which is inside by it: where ReportOptions::by_winding says so, and nothing else
+  std::optional<WindingNumber> winding{};
 };
 
 /// Whether pairs that touch without their interiors meeting are reported.
@@ -133,6 +135,9 @@ struct CheckReport {
   std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
   std::optional<std::string> baseline{};  ///< the file, where there is one
   std::vector<GonePair> gone{};           ///< of the baseline, in its order
+  /// Of the candidates those that were not looked at, as the check was stopped before: else 0. What is told is right
+  /// all the same, and not all.
+  std::size_t unfinished = 0;
 };
 
 /// Where there is a baseline.
@@ -156,6 +161,10 @@ struct ReportOptions {
   NameRules rules{};
   std::optional<Baseline> baseline{};
   PairOrder order = PairOrder::objects;
+  /// What lies within the box of an open mesh, no face of the two meeting, is inside where the generalised winding
+  /// number of the mesh is more than a half in magnitude (docs/methods/winding-numbers.md). Such a pair overlaps,
+  /// undecided.
+  bool by_winding = false;
 };
 
 /// A pair that merely touches is left out where touching is ignored, however large its clearance.
@@ -273,8 +282,11 @@ struct InspectedObject {
   std::string refusal;  ///< why no question can be asked about it where it is; else empty
   /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
   std::vector<VolumeCost> volumes{};
-  std::vector<PartitionCost> partitions{};  ///< what `measure_partitions` tells of its triangles, the same way
-  std::vector<MeshFault> faults{};          ///< what `mesh_faults` tells of its mesh, the same way
+  std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` tells of its triangles, the same way
+  std::vector<MeshFault> faults{};                  ///< what `mesh_faults` tells of its mesh, the same way
+  std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; of meshes, told by `ask`
+  std::size_t boundaries = 0;                       ///< of an open mesh: holes and rims (`boundary_count`), by `ask`
+  std::optional<double> closing_gap{};              ///< of an open mesh what `closing_gap` tells, in its own units
 };
 
 /// Everything that `inspect` tells about the object.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -257,7 +258,16 @@ using SceneAnswer = SceneQuestions::put_into<ReportVariant>;
 struct AskOptions {
   int threads = all_threads;
   Progress progress{};
+  /// Asked before each pair that `check` looks at, from any thread: once it is true no pair is begun any more, and the
+  /// report says how many are left (CheckReport::unfinished).
+  std::function<bool()> stop{};
+  /// Told each pair that `check` will report as soon as it is found, as a report of that pair alone: in the order in
+  /// which they are found, from any thread, never from two at once.
+  std::function<void(const CheckReport&)> found{};
 };
+
+/// A pair of a report of `check` as its JSON has it, in one line.
+[[nodiscard]] std::string pair_line_json(const Scene& scene, const CheckReport& report, std::size_t pair);
 
 /// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
 /// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
@@ -300,6 +310,9 @@ struct Asked {
   std::vector<AskedFile> files;  ///< none of a crowd
   std::string unit{};            ///< of plain mesh files, as `metres_per_unit` takes it; empty: as the files say
   double scale = 1;              ///< of all files; positive
+  bool split = false;            ///< parts of mesh files are objects (ReadOptions)
+  std::string tessellation{};    ///< how near meshes of curved surfaces are to be to them, as it was written
+  std::string close{};           ///< how wide the gaps are that were closed, as it was written; empty: none were
   std::optional<Pose> pose_a{};  ///< of everything in the first of two files; composed with what the file says
   std::optional<Pose> pose_b{};  ///< of the second
   std::optional<Solid> solid{};  ///< overrides what the files say

@@ -143,8 +143,7 @@ class AsciiStlReader {
     std::vector<NamedMesh> solids;
     while (cursor_.next_line_with_words()) {
       std::string name = read_solid();
-      if (mesh_.corner_count() > 0)
-        solids.push_back({std::move(name), std::exchange(mesh_, FacetMesh{0}).mesh()});
+      if (mesh_.corner_count() > 0) solids.push_back({std::move(name), std::exchange(mesh_, FacetMesh{0}).mesh()});
     }
     if (solids.empty()) fail_without_facets();
     return solids;

@@ -126,8 +126,27 @@ double factor_of(const std::string& name, const ReadOptions& options) {
   return factor;
 }
 
-void scale_scene(Scene& scene, double factor) {
-  if (factor == 1) return;
+/// What `read` gives, in the unit and with the scale of the options. `extension` is that of the file.
+template <class Read>
+Scene scene_as_asked(const std::string& name, const std::string& extension, const ReadOptions& options,
+                     const Read& read) {
+  check_options(options);
+  if (extension == ".json" && options.metres_per_unit)
+    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", name));
+  const double factor = factor_of(name, options);
+  Scene scene = scaled(read(), factor);
+  if (options.metres_per_unit) scene.unit = "m";
+  return scene;
+}
+
+io::MeshFileIs mesh_file_of(const ReadOptions& options) {
+  return options.split ? io::MeshFileIs::its_parts : io::MeshFileIs::one_object;
+}
+
+}  // namespace
+
+Scene scaled(Scene scene, double factor) {
+  if (factor == 1) return scene;
   const Pose larger = scaled(Pose{}, factor);
   for (SceneNode& node : scene.nodes)
     if (!node.parent) node.pose = larger * node.pose;
@@ -146,27 +165,8 @@ void scale_scene(Scene& scene, double factor) {
       throw Error(fmt::format("{}: the object '{}' grows beyond the doubles when it is scaled by {}", object.source,
                               object.name, factor));
   }
-}
-
-/// What `read` gives, in the unit and with the scale of the options. `extension` is that of the file.
-template <class Read>
-Scene scene_as_asked(const std::string& name, const std::string& extension, const ReadOptions& options,
-                     const Read& read) {
-  check_options(options);
-  if (extension == ".json" && options.metres_per_unit)
-    throw Error(fmt::format("{}: a scene file states its units itself; change \"unit\" there", name));
-  const double factor = factor_of(name, options);
-  Scene scene = read();
-  scale_scene(scene, factor);
-  if (options.metres_per_unit) scene.unit = "m";
   return scene;
 }
-
-io::MeshFileIs mesh_file_of(const ReadOptions& options) {
-  return options.split ? io::MeshFileIs::its_parts : io::MeshFileIs::one_object;
-}
-
-}  // namespace
 
 Scene read_scene(const std::string& path, const ReadOptions& options) {
   const bool is_generated = is_generator_specification(path);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -91,10 +92,12 @@ class Clearances {
 
 class Check {
  public:
-  Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted)
+  Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
+        const CheckWatch& watch)
       : models_(models),
         options_(options),
         wanted_(wanted),
+        watch_(watch),
         clearances_(models, options),
         posed_(posed_model_pair()),
         groups_(group_numbers()) {}
@@ -113,7 +116,9 @@ class Check {
     };
     CandidatePairs candidates(offset_boxes, is_candidate, others, options_.threads);
     is_counting = false;
-    return {answer_of(candidates), left_out};
+    CheckAnswer answer = answer_of(candidates);
+    const std::size_t unfinished = answer.candidate_pairs - finished_;
+    return {std::move(answer), left_out, unfinished};
   }
 
  private:
@@ -121,7 +126,7 @@ class Check {
     CheckAnswer answer;
     answer.candidate_pairs = candidates.count();
     TaskReporter reporter(options_.progress, answer.candidate_pairs);
-    for (std::vector<IndexPair> run = candidates.next(); !run.empty(); run = candidates.next())
+    for (std::vector<IndexPair> run = candidates.next(); !run.empty() && !stopped_; run = candidates.next())
       for (std::size_t first = 0; first < run.size(); first += pairs_at_once) {
         const std::size_t count = std::min(pairs_at_once, run.size() - first);
         for (std::optional<PairAnswer>& pair : answers_of(std::span(run).subspan(first, count), reporter))
@@ -183,11 +188,24 @@ class Check {
                                                                   TaskReporter& reporter) const {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
-      if (reporter.cancelled()) return;
+      if (reporter.cancelled() || is_stopped()) return;
       answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace); });
+      finished_.fetch_add(1, std::memory_order_relaxed);
+      if (answers[i]) tell(*answers[i]);
       reporter.finished_one();
     });
     return answers;
+  }
+
+  [[nodiscard]] bool is_stopped() const {
+    if (!stopped_ && watch_.stop && watch_.stop()) stopped_ = true;
+    return stopped_;
+  }
+
+  void tell(const PairAnswer& pair) const {
+    if (!watch_.found) return;
+    const std::lock_guard lock(telling_);
+    watch_.found(pair);
   }
 
   /// Nothing where the two are apart, by more than their clearance.
@@ -284,10 +302,14 @@ class Check {
   std::span<const SceneInstance> models_;
   const CheckOptions& options_;
   const PairFilter& wanted_;
+  const CheckWatch& watch_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
   std::vector<std::size_t> groups_;
   mutable WorkspacePool workspaces_;
+  mutable std::atomic<bool> stopped_ = false;
+  mutable std::atomic<std::size_t> finished_ = 0;  ///< candidates that were looked at
+  mutable std::mutex telling_;
 };
 
 }  // namespace
@@ -296,10 +318,10 @@ CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions&
   return check_wanted(models, options, {}).answer;
 }
 
-WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
-                          const PairFilter& wanted) {
+WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
+                          const CheckWatch& watch) {
   require_usable(options.depth);
-  return Check(models, options, wanted).answer();
+  return Check(models, options, wanted, watch).answer();
 }
 
 }  // namespace toccata

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "toccata/broad/broad_phase.hpp"
@@ -11,11 +12,20 @@ namespace toccata {
 /// What `check_all` answers of the pairs that are wanted alone.
 struct WantedAnswer {
   CheckAnswer answer;
-  std::size_t left_out = 0;  ///< pairs that would have been looked at and are not wanted
+  std::size_t left_out = 0;    ///< pairs that would have been looked at and are not wanted
+  std::size_t unfinished = 0;  ///< of the candidates those that were not looked at, as it was stopped before
+};
+
+/// Who looks on while the pairs are looked at.
+struct CheckWatch {
+  /// Asked before each pair, from any thread: once it is true no pair is begun any more.
+  std::function<bool()> stop{};
+  /// Told each pair that is found, in the order in which they are; from any thread, never from two at once.
+  std::function<void(const PairAnswer&)> found{};
 };
 
 /// Without a filter all are wanted. The pair clearances are of pairs that are.
 [[nodiscard]] WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
-                                        const PairFilter& wanted);
+                                        const PairFilter& wanted, const CheckWatch& watch = {});
 
 }  // namespace toccata

@@ -30,6 +30,9 @@ Json json_of(const Asked& asked) {
     files.push_back({{"name", io::as_utf8(file.name)}, {"digest", file.digest}});
   if (!asked.unit.empty()) json["unit"] = asked.unit;
   if (asked.scale != 1) json["scale"] = asked.scale;
+  if (asked.split) json["split"] = true;
+  if (!asked.tessellation.empty()) json["tessellation"] = asked.tessellation;
+  if (!asked.close.empty()) json["close"] = asked.close;
   if (asked.pose_a) json["pose_a"] = asked.pose_a->numbers();
   if (asked.pose_b) json["pose_b"] = asked.pose_b->numbers();
   if (asked.solid) json["solid"] = io::word_of(*asked.solid);
@@ -63,11 +66,15 @@ double scale_of(const io::JsonValue& asked) {
 }
 
 Asked asked_of(const io::JsonValue& value) {
-  value.expect_keys({"folder", "files", "unit", "scale", "pose_a", "pose_b", "solid", "query"});
+  value.expect_keys(
+      {"folder", "files", "unit", "scale", "split", "tessellation", "close", "pose_a", "pose_b", "solid", "query"});
   Asked asked;
   asked.folder = value.at("folder").text();
   asked.unit = value.text_or("unit", "");
   asked.scale = scale_of(value);
+  asked.split = value.flag_or("split", false);
+  asked.tessellation = value.text_or("tessellation", "");
+  asked.close = value.text_or("close", "");
   asked.pose_a = pose_of(value, "pose_a");
   asked.pose_b = pose_of(value, "pose_b");
   if (value.has("solid")) asked.solid = io::solid_of(value.at("solid"));

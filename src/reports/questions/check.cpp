@@ -8,6 +8,7 @@
 #include "io/formats/utf8.hpp"
 #include "query/scenes/check_wanted.hpp"
 #include "reports/baseline.hpp"
+#include "reports/by_winding.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
 #include "reports/pair_order.hpp"
@@ -87,6 +88,8 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
     line["regions"] = io::json_of(pair.regions);
   }
   if (report.clearance && pair.distance) io::add(line["distance"] = io::Json::object(), *pair.distance);
+  if (pair.winding)
+    line["winding"] = {{"value", pair.winding->value}, {"lower", pair.winding->lower}, {"upper", pair.winding->upper}};
   std::string text = io::line_of(line);
   if (!report.has_faces) return text;
   text.back() = ',';
@@ -189,6 +192,17 @@ void require_wanted(std::span<const PairClearance> clearances, const PairFilter&
   }
 }
 
+/// Those who look on, by the pairs that will be reported.
+CheckWatch watch_of(const CheckQuestion& question, const io::Asking& asking) {
+  CheckWatch watch{asking.options.stop, {}};
+  if (asking.options.found)
+    watch.found = [&](const PairAnswer& pair) {
+      const CheckReport one = make_check_report(asking.models, {{pair}, 1}, question);
+      if (!one.pairs.empty()) asking.options.found(one);
+    };
+  return watch;
+}
+
 struct CheckKind {
   using Question = CheckQuestion;
   using Report = CheckReport;
@@ -204,13 +218,14 @@ struct CheckKind {
     if (!q.rules.between.empty()) json["between"] = json_of(q.rules.between);
     if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
     if (q.order == PairOrder::severity) json["sort"] = "severity";
+    if (q.by_winding) json["by_winding"] = true;
     if (q.baseline) json["baseline"] = io::json_of(*q.baseline);
     return json;
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
     value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
-                       "pair_clearances", "between", "ignore", "sort", "baseline"});
+                       "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
@@ -227,6 +242,7 @@ struct CheckKind {
     }
     q.rules = {rules_of(value, "between"), rules_of(value, "ignore")};
     q.order = io::pair_order_of(value);
+    q.by_winding = value.flag_or("by_winding", false);
     if (value.has("baseline")) q.baseline = io::baseline_of(value.at("baseline"));
     return q;
   }
@@ -242,10 +258,15 @@ struct CheckKind {
     options.progress = asking.options.progress;
     const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
     require_wanted(question.pair_clearances, wanted, asking.models);
-    const WantedAnswer found = check_wanted(asking.models, options, wanted);
+    const WantedAnswer found = check_wanted(asking.models, options, wanted, watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
+    report.unfinished = found.unfinished;
+    if (question.by_winding && report.unfinished == 0) io::add_contained_by_winding(asking.models, wanted, report);
     if (wanted) report.left_out = found.left_out;
     if (question.baseline) io::compare_with(*question.baseline, {asking.models, wanted, found.answer}, report);
+    // What was not looked at is not known to be apart.
+    if (report.unfinished > 0)
+      std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
     if (question.order == PairOrder::severity) io::sort_by_severity(report.pairs);
     return report;
   }
@@ -255,6 +276,7 @@ struct CheckKind {
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
     if (report.left_out) json["left_out"] = *report.left_out;
+    if (report.unfinished > 0) json["unfinished"] = report.unfinished;
     add_clearances(json, reporting.scene, report);
     add_baseline(json, report);
     return io::with_list(document(json), "pairs", report.pairs.size(),
@@ -311,6 +333,14 @@ struct CheckKind {
 };
 
 }  // namespace
+
+std::string pair_line_json(const Scene& scene, const CheckReport& report, std::size_t pair) {
+  std::string text = text_of(report.pairs[pair], scene, report);
+  // Faces are a line each in a report; texts have no line breaks in JSON.
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end))
+    text.erase(end, std::min(text.find_first_not_of(" \n", end), text.size()) - end);
+  return text;
+}
 
 constinit const io::QuestionKind CheckQuestion::kind = io::question_kind<CheckKind>();
 

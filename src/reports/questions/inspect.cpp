@@ -11,7 +11,9 @@
 #include "reports/view/finding_layers.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/query/self_contacts.hpp"
 #include "toccata/reports/report.hpp"
+#include "toccata/shapes/close_mesh.hpp"
 
 namespace toccata {
 namespace {
@@ -145,6 +147,14 @@ void add_shape(InspectedObject& result) {
   }
 }
 
+/// What a mesh does to itself, and how far an open one is from closed.
+void add_state(const SceneInstance& posed, InspectedObject& inspected) {
+  inspected.self_intersections = self_contacts(posed.model).size();
+  if (inspected.health->closed || std::holds_alternative<HeightField>(inspected.object.shape)) return;
+  inspected.boundaries = boundary_count(*inspected.object.mesh());
+  inspected.closing_gap = closing_gap(*inspected.object.mesh());
+}
+
 SceneObject object_of(const SceneInstance& posed) {
   SceneObject object;
   object.name = posed.name;
@@ -184,6 +194,7 @@ struct InspectKind {
     for (const SceneInstance& posed : asking.models) {
       InspectedObject& inspected = report.objects.emplace_back(inspect(object_of(posed)));
       const auto mesh = inspected.object.mesh();
+      if (inspected.refusal.empty() && mesh) add_state(posed, inspected);
       if (mesh && question.faults) inspected.faults = mesh_faults(*mesh);
       if (mesh && question.volumes) inspected.volumes = measure_volumes(*mesh, options);
       if (mesh && question.partitions)
@@ -207,6 +218,11 @@ struct InspectKind {
       item["solid"] = inspected.solid;
       if (inspected.health) item.update(json_of(*inspected.health));
       item["world_box"] = inspected.world_box ? json_of(*inspected.world_box) : io::Json();
+      if (inspected.self_intersections) item["self_intersections"] = *inspected.self_intersections;
+      if (inspected.health && !inspected.health->closed && inspected.boundaries > 0) {
+        item["boundaries"] = inspected.boundaries;
+        item["closing_gap"] = inspected.closing_gap ? io::Json(*inspected.closing_gap) : io::Json();
+      }
       if (!inspected.refusal.empty()) item["refusal"] = io::as_utf8(inspected.refusal);
       for (const MeshFault& fault : inspected.faults) item["faults"].push_back(json_of(fault));
       for (const VolumeCost& cost : inspected.volumes) item["volumes"].push_back(json_of(cost));

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Writes a scene file of what an IFC file (ISO 16739) holds: each element with a shape an object, called by its type, name
+and GlobalId, each shape once however often it is placed, in metres. By IfcOpenShell.
+
+usage: toccata-read-ifc FILE.ifc SCENE.json [--tessellation LENGTH]
+
+What is to be told about the reading goes to standard output, a line each; why it failed, to standard error.
+"""
+import array
+import base64
+import json
+import re
+import sys
+
+METRES = {"": 1, "mm": 0.001, "cm": 0.01, "m": 1, "in": 0.0254, "ft": 0.3048}
+# What is no thing that could collide: openings are cut out of walls, spaces are the air in rooms.
+LEFT_OUT = ("IfcOpeningElement", "IfcSpace", "IfcAnnotation", "IfcGrid", "IfcVirtualElement")
+
+
+class Trouble(Exception):
+    pass
+
+
+def metres_of(text):
+    parts = re.fullmatch(r"([0-9.]+(?:[eE][-+]?[0-9]+)?)(mm|cm|m|in|ft|)", text)
+    if not parts or not float(parts[1]) > 0:
+        raise Trouble(f"--tessellation {text} is no length above 0: write 1mm, say")
+    return float(parts[1]) * METRES[parts[2]]
+
+
+def text_of(kind, numbers):
+    return base64.b64encode(array.array(kind, numbers).tobytes()).decode()
+
+
+def pose_of(matrix):
+    """Of a 4 × 4 matrix column by column."""
+    m = list(matrix.data if hasattr(matrix, "data") else matrix)
+    if len(m) == 12:  # earlier versions leave the last row out
+        return [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8], m[9], m[10], m[11]]
+    return [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10], m[12], m[13], m[14]]
+
+
+class Scene:
+    def __init__(self, source):
+        self.source, self.objects, self.meshes, self.taken = source, [], {}, set()
+
+    def free_name(self, name):
+        free, number = name, 2
+        while free in self.taken:
+            free, number = f"{name} #{number}", number + 1
+        self.taken.add(free)
+        return free
+
+    def add(self, element, shape):
+        key = str(shape.geometry.id)
+        if key not in self.meshes:
+            if not shape.geometry.faces:
+                return
+            self.meshes[key] = {"vertices": text_of("d", shape.geometry.verts), "triangles": text_of("I", shape.geometry.faces)}
+        name = f"{element.is_a()}/{element.Name or 'unnamed'} [{element.GlobalId}]"
+        self.objects.append({"name": self.free_name(name), "mesh": key, "pose": pose_of(shape.transformation.matrix), "source": self.source})
+
+    def json(self):
+        return {"format": "toccata-scene", "version": 1, "unit": "m", "objects": self.objects, "meshes": self.meshes}
+
+
+def convert(file, scene_file, tessellation):
+    try:
+        import ifcopenshell
+        import ifcopenshell.geom
+    except ImportError as error:
+        raise Trouble(f"to read it takes IfcOpenShell, which is not there ({error}): pip install ifcopenshell") from error
+    try:
+        model = ifcopenshell.open(file)
+    except (OSError, RuntimeError) as error:
+        raise Trouble(f"this is no whole IFC file: {' '.join(str(error).split())}; export it again") from error
+    settings = ifcopenshell.geom.settings()
+    for name in ("mesher-linear-deflection", "MESHER_LINEAR_DEFLECTION"):
+        try:
+            settings.set(name, tessellation)
+            break
+        except (RuntimeError, KeyError, TypeError, AttributeError):
+            pass
+    left_out = [element for kind in LEFT_OUT for element in (model.by_type(kind) if kind_is_known(model, kind) else [])]
+    iterator = ifcopenshell.geom.iterator(settings, model, 1, exclude=left_out) if left_out else ifcopenshell.geom.iterator(settings, model, 1)
+    scene = Scene(file)
+    if iterator.initialize():
+        while True:
+            shape = iterator.get()
+            scene.add(model.by_id(shape.id), shape)
+            if not iterator.next():
+                break
+    if not scene.objects:
+        raise Trouble("no element in it has a shape; export it with its geometry")
+    with open(scene_file, "w", encoding="utf-8") as out:
+        json.dump(scene.json(), out)
+    tell(model, scene, len(left_out), tessellation)
+
+
+def kind_is_known(model, kind):
+    try:
+        model.by_type(kind)
+        return True
+    except RuntimeError:
+        return False
+
+
+def tell(model, scene, left_out, tessellation):
+    print(f"{model.schema}: {len(scene.objects)} elements of {len(scene.meshes)} shapes in metres, curved faces as triangles within "
+          f"{1000 * tessellation:g} mm of them (--tessellation)")
+    if left_out:
+        print(f"{left_out} openings, spaces, annotations and grids are left out")
+    with_shape = {element.GlobalId for element in model.by_type("IfcElement") if element.Representation and not element.is_a("IfcOpeningElement")}
+    missing = len(with_shape - {name[-23:-1] for name in scene.taken})
+    if missing > 0:
+        print(f"{missing} elements with a shape could not be meshed, and are missing")
+
+
+def main(words):
+    try:
+        if len(words) != 2 and not (len(words) == 4 and words[2] == "--tessellation"):
+            raise Trouble("usage: toccata-read-ifc FILE.ifc SCENE.json [--tessellation LENGTH]")
+        convert(words[0], words[1], metres_of(words[3]) if len(words) == 4 else 0.001)
+        return 0
+    except Trouble as trouble:
+        print(trouble, file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

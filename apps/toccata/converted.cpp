@@ -1,0 +1,142 @@
+#include "converted.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "file_text.hpp"
+#include "temporary_folder.hpp"
+#include "toccata/core/error.hpp"
+#include "words.hpp"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace toccata::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A program that writes a scene file of what a file of such extensions holds.
+struct Converter {
+  std::string_view format;
+  std::vector<std::string_view> extensions;
+  const char* what;  ///< that it stands on
+};
+
+const std::vector<Converter>& converters() {
+  static const std::vector<Converter> all = {{"step", {".step", ".stp", ".p21"}, "Open CASCADE"},
+                                             {"ifc", {".ifc"}, "IfcOpenShell"}};
+  return all;
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
+const Converter* converter_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  for (const Converter& one : converters())
+    if (std::find(one.extensions.begin(), one.extensions.end(), extension) != one.extensions.end()) return &one;
+  return nullptr;
+}
+
+bool is_program(const fs::path& path) { return access(path.c_str(), X_OK) == 0; }
+
+/// Beside this program, or on the path.
+std::string program_of(const Converter& converter, const std::string& file) {
+  const std::string name = fmt::format("toccata-read-{}", converter.format);
+  std::error_code unknown;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", unknown).parent_path() / name;
+  if (!unknown && is_program(beside)) return beside.string();
+  const char* folders = std::getenv("PATH");
+  std::istringstream stream(folders == nullptr ? "" : folders);
+  for (std::string folder; std::getline(stream, folder, ':');)
+    if (!folder.empty() && is_program(fs::path(folder) / name)) return (fs::path(folder) / name).string();
+  // Through the wrapper of the repository one line installs and builds it.
+  const std::string called = called_as();
+  const std::string line = called.find('/') == std::string::npos ? "./toccata formats" : called + " formats";
+  throw Error(
+      fmt::format("{}: to read it takes {}, which is not there: `{} {}` (in the folder of Toccata's sources) "
+                  "installs it, and builds {}",
+                  file, converter.what, line, converter.format, name));
+}
+
+int status_of(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> pointers;
+  for (std::string& word : copies) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t process = 0;
+  const int code = posix_spawn(&process, words[0].c_str(), &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::vector<std::string> lines_in(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+ConvertedScene read_by_program(const std::string& path, const Converter& converter, const Conversion& conversion) {
+  const std::string program = program_of(converter, path);
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) throw Error(path + ": there is no such file; check the name and the folder");
+  const TemporaryFolder folder;
+  const fs::path scene = folder.path() / "scene.json", out = folder.path() / "out", err = folder.path() / "err";
+  std::vector<std::string> words = {program, path, scene.string()};
+  if (!conversion.tessellation.empty()) words.insert(words.end(), {"--tessellation", conversion.tessellation});
+  const int status = status_of(words, out, err);
+  if (WIFSIGNALED(status))
+    throw Error(
+        fmt::format("{}: {} broke down over it (signal {}): the file is damaged, or takes more than it can; "
+                    "export it again",
+                    path, converter.what, WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0) {
+    const std::vector<std::string> said = lines_in(text_of_file(err));
+    throw Error(
+        fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
+  }
+  ConvertedScene converted{read_scene(scene.string(), conversion.read), {}};
+  for (const std::string& note : lines_in(text_of_file(out))) converted.notes.push_back(path + ": " + note);
+  return converted;
+}
+
+}  // namespace
+
+bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || converter_of(path) != nullptr; }
+
+ConvertedScene read_converted(const std::string& path, const Conversion& conversion) {
+  if (conversion.read.metres_per_unit) throw Error(path + ": the file states its unit itself: leave out --unit");
+  if (const Converter* converter = converter_of(path)) return read_by_program(path, *converter, conversion);
+  ConvertedScene converted = read_three_mf(path);
+  converted.scene = scaled(std::move(converted.scene), conversion.read.scale);
+  return converted;
+}
+
+}  // namespace toccata::command

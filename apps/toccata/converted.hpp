@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "three_mf.hpp"
+#include "toccata/io/scene_file.hpp"
+
+namespace toccata::command {
+
+/// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC.
+[[nodiscard]] bool is_converted(const std::string& path);
+
+/// How it is read.
+struct Conversion {
+  ReadOptions read;
+  std::string tessellation;  ///< a length with its unit; empty: the converter's own
+};
+
+/// What the file holds. STEP and IFC files are read by `toccata-read-step` and `toccata-read-ifc`, programs beside this
+/// one or on the path: a file by which they break down breaks nothing else. Throws Error naming the file and what its
+/// reader said, or that it is not installed and how it is.
+[[nodiscard]] ConvertedScene read_converted(const std::string& path, const Conversion& conversion);
+
+}  // namespace toccata::command

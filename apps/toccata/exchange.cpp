@@ -1,0 +1,70 @@
+#include "exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "option_kinds.hpp"
+#include "output.hpp"
+#include "toccata/core/error.hpp"
+#include "toccata/reports/output_file.hpp"
+#include "words.hpp"
+
+namespace toccata::command {
+namespace {
+
+/// A kind of file, where the arguments name it, and what makes it.
+struct ExchangeFormat {
+  const char* option;
+  std::string ExchangeFiles::*file;
+  OutputKind kind;
+  std::string (*bytes)(const Findings&);
+};
+
+constexpr std::array exchange_formats{ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, junit_xml},
+                                      ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif, sarif_json},
+                                      ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, bcf_zip}};
+
+}  // namespace
+
+void add_exchange(CLI::App& app, ExchangeFiles& files) {
+  add_file(app, "--junit", files.junit, "write JUnit XML, for continuous integration (docs/reference/exchange.md)",
+           "FILE.xml");
+  add_file(app, "--sarif", files.sarif, "write SARIF 2.1.0, for code scanning", "FILE.sarif");
+  add_file(app, "--bcf", files.bcf, "write BCF 2.1, for programs that exchange issues of building models", "FILE.bcf");
+}
+
+void require_exchange(const PosedArguments& arguments) {
+  std::vector<NamedOutput> outputs{{"--html", arguments.html},
+                                   {"--png", arguments.png},
+                                   {"--glb", arguments.glb},
+                                   {"--save-case", arguments.save_case}};
+  for (const ExchangeFormat& format : exchange_formats)
+    outputs.push_back({format.option, arguments.exchange.*format.file});
+  require_distinct(outputs, arguments.input.files);
+  for (const ExchangeFormat& format : exchange_formats)
+    if (const std::string& file = arguments.exchange.*format.file; !file.empty()) require_output(file, format.kind);
+}
+
+std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, const PosedArguments& arguments,
+                           const IsFailure& is_failure) {
+  std::string told;
+  for (const ExchangeFormat& format : exchange_formats) {
+    const std::string& file = arguments.exchange.*format.file;
+    if (file.empty()) continue;
+    const auto* report = std::get_if<CheckReport>(&answer);
+    if (report == nullptr)
+      throw Error(
+          fmt::format("{} tells pairs of a check, and another question was asked: leave it out", format.option));
+    const std::string bytes = format.bytes({input, *report, arguments, is_failure});
+    const UninterruptedWriting writing;
+    write_output(bytes, file, format.kind);
+    told += fmt::format("{}: {}.\n", printable(file), counted(report->pairs.size(), "finding"));
+  }
+  return told;
+}
+
+}  // namespace toccata::command

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check_input.hpp"
+#include "toccata/bounds/aabb.hpp"
+#include "toccata/reports/report.hpp"
+
+// How a pair that a check tells is told in the files of other programs.
+namespace toccata::command {
+
+/// "overlapping", "crossing", "touching", "clearance" or "undecided": what kind of finding it is.
+[[nodiscard]] std::string kind_of_finding(const ReportedPair& pair);
+
+/// "left overlaps right, 0.5 deep along (1, 0, 0) (both solids)". Control characters in names are written out.
+[[nodiscard]] std::string sentence_of(const Scene& scene, const ReportedPair& pair);
+
+/// What is told of a pair besides, a line each: the nearest or deepest points, and how it stands against a baseline.
+[[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);
+
+/// A box in the world around where the two meet or are near: around the points that the answer tells, or the object
+/// that lies inside the other. None where it tells none.
+[[nodiscard]] std::optional<Aabb> place_of(const Scene& scene, const ReportedPair& pair);
+
+/// 32 hexadecimal digits that are the same for the same words, in runs of every day and machine.
+[[nodiscard]] std::string digits_of(const std::string& words);
+
+/// A path or a generator as the reference of an address: what means something there, and what is no letter, by its
+/// number.
+[[nodiscard]] std::string in_address(const std::string& path);
+
+}  // namespace toccata::command

@@ -1,0 +1,110 @@
+// Meshes that are not as they should be: what is said of them, --close, and --solid by-winding.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+class CheckDirty : public testing::Test {
+ protected:
+  void SetUp() override {
+    // A box whose lid is its own, a hair above the rest; and without a lid.
+    const std::string sides =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+        "f 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    folder.write("open.obj", sides);
+    folder.write("crack.obj", sides + "v 0 0 1.00001\nv 1 0 1.00001\nv 0 1 1.00001\nv 1 1 1.00001\nf 9 10 12 11\n");
+    folder.write("screw.obj",
+                 "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.4 0.6 0.4\nv 0.4 0.4 0.6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  }
+
+  test::CommandResult run(Words words) { return run_command(words, folder.path()); }
+
+  Json report(Words words) {
+    words.emplace_back("--json");
+    return Json::parse(run(words).out);
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CheckDirty, InspectTellsHowFarFromClosedInTheWordsOfTheField) {
+  const std::string crack = run({"inspect", "crack.obj"}).out;
+  EXPECT_NE(crack.find("8 boundary"), std::string::npos) << crack;
+  EXPECT_NE(crack.find("2 holes or rims; gaps of"), std::string::npos) << crack;
+  const std::string open = run({"inspect", "open.obj"}).out;
+  EXPECT_NE(open.find("1 hole or rim, and none of the gaps"), std::string::npos) << open;
+  const Json json = report({"inspect", "crack.obj"})["objects"][0];
+  EXPECT_EQ(json["boundaries"], 2);
+  EXPECT_EQ(json["self_intersections"], 0);
+  EXPECT_GT(json["closing_gap"], 1e-5);
+  EXPECT_LT(json["closing_gap"], 2.1e-5);
+  EXPECT_TRUE(report({"inspect", "open.obj"})["objects"][0]["closing_gap"].is_null());
+}
+
+TEST_F(CheckDirty, CheckTellsWhichGapClosesAMesh) {
+  const auto result = run({"check", "crack.obj", "screw.obj"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("crack has 8 boundary edges and is closed by --close"), std::string::npos) << result.err;
+}
+
+TEST_F(CheckDirty, CloseMakesASolidAndSaysWhatItDid) {
+  const std::string before = test::text_of(folder.path() / "crack.obj");
+  const auto result = run({"check", "crack.obj", "screw.obj", "--close", "0.001"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("crack  contains  screw  (both solids)"), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("crack was closed by --close: 4 vertices of its boundary moved, 0 triangles collapsed, 0 "
+                            "holes filled by 0 triangles; its file stays as it is"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(test::text_of(folder.path() / "crack.obj"), before);
+  const Json json = report({"check", "crack.obj", "screw.obj", "--close", "0.001"});
+  EXPECT_EQ(json["asked"]["close"], "0.001");
+  EXPECT_EQ(json["objects"][0]["closed"], true);
+}
+
+TEST_F(CheckDirty, CloseIsALengthInTheUnitOfTheFiles) {
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--unit", "mm", "--close", "0.001"}).exit_code, 1);
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--unit", "m", "--close", "1mm"}).exit_code, 1);
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--unit", "m", "--close", "0.001mm"}).exit_code, 0);
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--scale", "1000", "--close", "0.001"}).exit_code, 0);
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--close", "0"}).exit_code, 2);
+  EXPECT_NE(run({"check", "open.obj", "screw.obj", "--close", "0.001"}).err.find("open is still open after --close"),
+            std::string::npos);
+}
+
+TEST_F(CheckDirty, AReportOfClosedMeshesIsAskedAgain) {
+  folder.write("report.json", run({"check", "crack.obj", "screw.obj", "--close", "0.001", "--json"}).out);
+  EXPECT_EQ(run({"view", "report.json", "-o", "page.html"}).exit_code, 0);
+}
+
+TEST_F(CheckDirty, ByWindingWhatIsInsideAnOpenMeshOverlapsItUndecided) {
+  EXPECT_EQ(run({"check", "open.obj", "screw.obj"}).exit_code, 0);
+  const auto result = run({"check", "open.obj", "screw.obj", "--solid", "by-winding"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(
+      result.out.find("open  contains  screw  (the mesh around it is open: by its generalised winding number, 0."),
+      std::string::npos)
+      << result.out;
+  const Json pair = report({"check", "screw.obj", "open.obj", "--solid", "by-winding"})["pairs"][0];
+  EXPECT_EQ(pair["relation"], "overlapping");
+  EXPECT_EQ(pair["containment"], "a_in_b");
+  EXPECT_EQ(pair["status"], "undecided");
+  EXPECT_GT(pair["winding"]["lower"], 0.5);
+  // Above the missing lid nothing is inside.
+  EXPECT_EQ(run({"check", "open.obj", "screw.obj", "--solid", "by-winding", "--pose-b", "0", "0", "1"}).exit_code, 0);
+  EXPECT_EQ(report({"check", "open.obj", "screw.obj", "--solid", "by-winding"})["asked"]["query"]["by_winding"], true);
+}
+
+}  // namespace
+}  // namespace toccata

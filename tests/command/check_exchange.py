@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""What `check` writes for other programs is as those read it: JUnit XML, SARIF 2.1.0, BCF 2.1.
+
+usage: check_exchange.py TOCCATA [--reader]
+
+With --reader the BCF file is read by bcf-client (PyPI: pip install bcf-client) instead; exit status 77 where that is not
+installed.
+"""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+import zipfile
+
+COMMAND = str(pathlib.Path(sys.argv[1]).resolve())
+ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
+
+# Two boxes that overlap by 0.5, one that touches the first, one nearer than 2 mm; names that XML and JSON have to escape.
+SCENE = """{"format": "toccata-scene", "version": 1, "unit": "cm", "objects": [
+  {"name": "a <&> \\"b\\"", "generate": "box"},
+  {"name": "Wall [2O2Fr$t4X7Zf8NOew3FLOH]", "generate": "box", "pose": {"translation": [1.5, 0, 0]}},
+  {"name": "tabs\\tand ü", "generate": "box", "pose": {"translation": [0, 2, 0]}},
+  {"name": "near", "generate": "box", "pose": {"translation": [0, -2.125, 0]}}]}"""
+
+
+def run(folder, *words, code):
+    result = subprocess.run([COMMAND, "check", *words], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
+    assert result.returncode == code, (words, result)
+    return result
+
+
+def check_junit(folder):
+    suites = ElementTree.parse(folder / "found.xml").getroot()
+    suite = suites.find("testsuite")
+    cases = suite.findall("testcase")
+    assert suites.tag == "testsuites" and suites.get("errors") == "0", suites.attrib
+    assert len(cases) == int(suite.get("tests")) == int(suites.get("tests")) == 3, suite.attrib
+    failed = [case for case in cases if case.find("failure") is not None]
+    assert len(failed) == int(suite.get("failures")) == int(suites.get("failures")) == 1, suite.attrib
+    assert len({(case.get("classname"), case.get("name")) for case in cases}) == 3
+    assert failed[0].get("name") == 'a <&> "b" – Wall [2O2Fr$t4X7Zf8NOew3FLOH]', failed[0].attrib
+    failure = failed[0].find("failure")
+    assert failure.get("type") == "overlapping" and "overlaps" in failure.get("message"), failure.attrib
+    assert all(case.find("system-out") is not None for case in cases if case not in failed)
+
+
+def check_sarif(folder):
+    document = json.loads((folder / "found.sarif").read_text())
+    assert document["version"] == "2.1.0" and document["$schema"].endswith("sarif-2.1.0.json")
+    [run_of] = document["runs"]
+    driver = run_of["tool"]["driver"]
+    assert driver["name"] == "Toccata" and driver["rules"]
+    rules = {rule["id"] for rule in driver["rules"]}
+    assert run_of["invocations"][0]["executionSuccessful"] is True
+    results = run_of["results"]
+    assert [result["ruleId"] for result in results] == ["overlapping", "touching", "clearance"], results
+    assert [result["level"] for result in results] == ["error", "note", "note"]
+    for result in results:
+        assert result["ruleId"] in rules and result["message"]["text"]
+        assert len(result["partialFingerprints"]["toccataPair/v1"]) == 32
+        for location in result["locations"]:
+            assert location["physicalLocation"]["artifactLocation"]["uri"] == "the%20scene.json"
+            assert location["logicalLocations"][0]["name"]
+    assert results[2]["properties"]["distance"]["upper"] == 0.125, results[2]
+
+
+def check_sarif_baseline(folder):
+    """States against a baseline: one stays, one is new, one has gone."""
+    (folder / "old.json").write_text(run(folder, "the scene.json", "--json", code=1).stdout)
+    (folder / "moved.json").write_text(SCENE.replace("[0, 2, 0]", "[0, 9, 0]").replace("[0, -2.125, 0]", "[0, -2, 0]"))
+    run(folder, "moved.json", "--baseline", "old.json", "--sarif", "since.sarif", code=1)
+    states = [result["baselineState"] for result in json.loads((folder / "since.sarif").read_text())["runs"][0]["results"]]
+    assert states == ["unchanged", "new", "absent"], states
+
+
+def numbers(node):
+    return [float(node.find(axis).text) for axis in "XYZ"]
+
+
+def check_bcf(folder):
+    with zipfile.ZipFile(folder / "found.bcf") as bcf:
+        assert bcf.testzip() is None
+        names = bcf.namelist()
+        assert names[0] == "bcf.version", names
+        assert ElementTree.fromstring(bcf.read("bcf.version")).get("VersionId") == "2.1"
+        topics = {name.split("/")[0] for name in names if "/" in name}
+        assert len(topics) == 3, names
+        titles = {}
+        for guid in topics:
+            markup = ElementTree.fromstring(bcf.read(f"{guid}/markup.bcf"))
+            topic = markup.find("Topic")
+            assert topic.get("Guid") == guid and len(guid) == 36
+            # In the order of the schema.
+            assert [one.tag for one in topic][:5] == ["Title", "Index", "Labels", "CreationDate", "CreationAuthor"]
+            assert topic.find("CreationDate").text == "2023-11-14T22:13:20Z"
+            view = ElementTree.fromstring(bcf.read(f"{guid}/{markup.find('Viewpoints/Viewpoint').text}"))
+            assert view.get("Guid") == markup.find("Viewpoints").get("Guid")
+            assert [one.tag for one in view.find("Components")] == ["Selection", "Visibility", "Coloring"]
+            titles[topic.find("Title").text] = view
+    [overlap] = [view for title, view in titles.items() if "overlaps" in title]
+    selected = overlap.findall("Components/Selection/Component")
+    assert [one.get("IfcGuid") for one in selected] == [None, "2O2Fr$t4X7Zf8NOew3FLOH"]
+    camera = overlap.find("PerspectiveCamera")
+    place, direction = numbers(camera.find("CameraViewPoint")), numbers(camera.find("CameraDirection"))
+    assert math.isclose(math.hypot(*direction), 1, rel_tol=1e-9)
+    # It looks at the middle of where the two meet, in metres: (0.75, 0, 0) cm.
+    way = [middle - at for middle, at in zip([0.0075, 0, 0], place)]
+    along = sum(a * b for a, b in zip(way, direction))
+    assert math.hypot(*(a - along * b for a, b in zip(way, direction))) < 1e-9 and along > 0, (place, direction)
+
+
+def check_refusals(folder):
+    """What is not one of Toccata's is not written over, and nothing is written where the check fails."""
+    (folder / "mine.xml").write_text("<mine/>")
+    assert "not a JUnit report of Toccata" in run(folder, "the scene.json", "--junit", "mine.xml", code=2).stderr
+    assert "--sarif" in run(folder, "the scene.json", "--sarif", "x.xml", "--junit", "x.xml", code=2).stderr
+    run(folder, "the scene.json", "--clearance-of", "no,one=1", "--bcf", "none.bcf", code=2)
+    assert not (folder / "none.bcf").exists()
+    run(folder, "gen:box", "gen:box", "--pose-b", "9 0 0", "--junit", "nothing.xml", "--bcf", "nothing.bcf", code=0)
+    [case] = ElementTree.parse(folder / "nothing.xml").getroot().iter("testcase")
+    assert case.get("name") == "nothing collides" and len(case) == 0
+    assert zipfile.ZipFile(folder / "nothing.bcf").namelist() == ["bcf.version"]
+
+
+def read_by_another(folder):
+    try:
+        from bcf.bcfxml import load
+    except ImportError:
+        print("bcf-client is not installed (pip install bcf-client): BCF files are read by no second reader")
+        sys.exit(77)
+    with load(folder / "found.bcf") as bcf:
+        assert bcf.version.version_id == "2.1"
+        titles = sorted(topic.topic.title for topic in bcf.topics.values())
+        assert len(titles) == 3 and any("overlaps" in title for title in titles), titles
+        for topic in bcf.topics.values():
+            [view] = topic.viewpoints.values()
+            assert len(view.get_selected_guids() if hasattr(view, "get_selected_guids") else [1]) <= 2
+            assert view.visualization_info.perspective_camera is not None
+    print("bcf-client reads the three topics and their places to look from")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "the scene.json").write_text(SCENE)
+        words = ["the scene.json", "--clearance", "2mm", "--fail-on", "hard", "--junit", "found.xml", "--sarif", "found.sarif", "--bcf", "found.bcf"]
+        run(folder, *words, code=1)
+        if "--reader" in sys.argv:
+            return read_by_another(folder)
+        before = [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")]
+        run(folder, *words, "--threads", "1", code=1)
+        assert before == [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")], "not the same twice"
+        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_refusals):
+            check(folder)
+
+
+if __name__ == "__main__":
+    main()

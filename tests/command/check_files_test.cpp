@@ -1,0 +1,117 @@
+// How `toccata check` comes to its files: folders, patterns, lists, standard input, and parts of files.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// Two boxes in one file that overlap by half.
+const char* const two_boxes =
+    "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+    "o right\nv 0.5 0 0\nv 1.5 0 0\nv 0.5 1 0\nv 1.5 1 0\nv 0.5 0 1\nv 1.5 0 1\nv 0.5 1 1\nv 1.5 1 1\n"
+    "f 9 11 12 10\nf 13 14 16 15\nf 9 10 14 13\nf 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n";
+
+class CheckFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(folder.path() / "parts");
+    for (const char* name : {"parts/b 2.obj", "parts/a.OBJ", "parts/c[1].obj"}) folder.write(name, two_boxes);
+    folder.write("parts/notes.txt", "no mesh");
+    folder.write("two.obj", two_boxes);
+    folder.write("list.txt", "# the parts\r\nparts/a.OBJ\r\n\nparts/b 2.obj\n");
+  }
+
+  test::CommandResult run(const Words& words) { return run_command(words, folder.path()); }
+
+  Words names_in(Words words) {
+    words.insert(words.begin(), "check");
+    words.emplace_back("--json");
+    const auto result = run(words);
+    if (result.exit_code > 1) return {result.err};
+    Words names;
+    const Json report = Json::parse(result.out);
+    for (const Json& object : report["objects"]) names.push_back(object["name"]);
+    return names;
+  }
+
+  std::string trouble(Words words) {
+    words.insert(words.begin(), "check");
+    const auto result = run(words);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CheckFiles, AFolderStandsForTheMeshFilesInIt) {
+  EXPECT_EQ(names_in({"parts"}), (Words{"a", "b 2", "c[1]"}));
+  EXPECT_EQ(names_in({"two.obj", "parts/"}), (Words{"two", "a", "b 2", "c[1]"}));
+  std::filesystem::create_directory(folder.path() / "empty");
+  EXPECT_NE(trouble({"empty"}).find("no mesh file is in this folder"), std::string::npos);
+}
+
+TEST_F(CheckFiles, APatternStandsForWhatMatchesUnlessAFileIsCalledSo) {
+  EXPECT_EQ(names_in({"parts/?*.obj"}), (Words{"b 2", "c[1]"}));
+  EXPECT_EQ(names_in({"parts/c[1].obj", "two.obj"}), (Words{"c[1]", "two"}));
+  EXPECT_NE(trouble({"parts/*.stl"}).find("parts/*.stl: no file has a name like this"), std::string::npos);
+}
+
+TEST_F(CheckFiles, AListNamesFilesOneOnEachLine) {
+  EXPECT_EQ(names_in({"--names", "list.txt"}), (Words{"a", "b 2"}));
+  EXPECT_EQ(names_in({"two.obj", "--names", "list.txt"}), (Words{"a", "b 2", "two"}));
+  folder.write("none.txt", "# nothing\n");
+  EXPECT_NE(trouble({"--names", "none.txt"}).find("no file is named in it"), std::string::npos);
+  EXPECT_NE(trouble({"--names", "gone.txt"}).find("gone.txt: the file cannot be opened"), std::string::npos);
+}
+
+TEST_F(CheckFiles, StandardInputHasAFormat) {
+  const std::string command = test::command_file();
+  const auto piped = [&](const std::string& words) {
+    return std::system(("cd '" + folder.path().string() + "' && " + command + " check " + words).c_str()) / 256;
+  };
+  EXPECT_EQ(piped("- two.obj --format obj < two.obj > out"), 1);
+  EXPECT_NE(test::text_of(folder.path() / "out").find("standard input  equals  two"), std::string::npos);
+  EXPECT_EQ(piped("--names - < list.txt > out"), 1);
+  EXPECT_NE(test::text_of(folder.path() / "out").find("a  equals  b 2"), std::string::npos);
+  EXPECT_EQ(piped("- two.obj --format obj < /dev/null 2> err"), 2);
+  EXPECT_NE(test::text_of(folder.path() / "err").find("standard input: there is nothing in it"), std::string::npos);
+  EXPECT_NE(trouble({"-", "two.obj"}).find("add --format"), std::string::npos);
+  EXPECT_NE(trouble({"-", "-", "--format", "obj"}).find("once"), std::string::npos);
+  EXPECT_NE(trouble({"two.obj", "--format", "obj"}).find("no file is -"), std::string::npos);
+}
+
+TEST_F(CheckFiles, SplitMakesPartsObjectsAndAReportTellsSo) {
+  EXPECT_NE(trouble({"two.obj"}).find("one object"), std::string::npos);
+  EXPECT_EQ(names_in({"two.obj", "--split"}), (Words{"left", "right"}));
+  EXPECT_EQ(names_in({"two.obj", "parts/a.OBJ", "--split"}),
+            (Words{"left", "right", "parts/a.OBJ:left", "parts/a.OBJ:right"}));
+  folder.write("report.json", run({"check", "two.obj", "--split", "--json"}).out);
+  EXPECT_EQ(run({"view", "report.json", "-o", "page.html"}).exit_code, 0);
+}
+
+TEST_F(CheckFiles, NumbersOfAPoseEndWhereFilesBegin) {
+  const Words far{"1", "0", "0", "9", "0", "1", "0", "0", "0", "0", "1", "0", "0", "0", "0", "1"};
+  Words words{"check", "--pose-b"};
+  words.insert(words.end(), far.begin(), far.end());
+  words.insert(words.end(), {"two.obj", "parts/a.OBJ"});
+  EXPECT_EQ(run(words).exit_code, 0);
+  EXPECT_EQ(run({"check", "two.obj", "--pose-b", "-9", "0", "0", "0", "0", "0", "1", "parts/a.OBJ"}).exit_code, 0);
+  EXPECT_EQ(run({"check", "two.obj", "parts/a.OBJ", "--pose-b", "translation=9,0,0"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace toccata

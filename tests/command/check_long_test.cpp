@@ -1,0 +1,142 @@
+// Long work: JSON lines as pairs are found, a limit of time, and Ctrl-C give what is done and say what is not.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+std::vector<Json> lines_of(const std::string& text) {
+  std::vector<Json> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+  return lines;
+}
+
+class CheckLong : public testing::Test {
+ protected:
+  void SetUp() override {
+    // Forty knots on a heap: 780 pairs, most of which meet.
+    Json scene = {{"format", "toccata-scene"}, {"version", 1}};
+    for (int i = 0; i < 40; ++i)
+      scene["objects"].push_back({{"name", "knot " + std::to_string(i)},
+                                  {"generate", "torus-knot"},
+                                  {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.01 * i, 0.007 * i, 0.003 * i}}});
+    folder.write("heap.json", scene.dump());
+    folder.write("two.json",
+                 R"({"format": "toccata-scene", "version": 1, "objects": [{"name": "a", "generate": "box"},
+                     {"name": "b", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 0.5,0,0]},
+                     {"name": "c", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 2.5,0,0]}]})");
+  }
+
+  test::CommandResult run(const Words& words) { return run_command(words, folder.path()); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CheckLong, AStreamHasAHeadALineForEachPairAndAnEnd) {
+  const auto result = run({"check", "two.json", "--stream", "--faces"});
+  EXPECT_EQ(result.exit_code, 1);
+  const std::vector<Json> lines = lines_of(result.out);
+  const Json whole = Json::parse(run({"check", "two.json", "--json", "--faces"}).out);
+  ASSERT_EQ(lines.size(), 2 + whole["pairs"].size());
+  EXPECT_EQ(lines.front()["schema"], "toccata/check-stream/1");
+  EXPECT_EQ(lines.front()["objects"], Json({"a", "b", "c"}));
+  std::vector<Json> pairs(lines.begin() + 1, lines.end() - 1);
+  std::sort(pairs.begin(), pairs.end(), [](const Json& x, const Json& y) { return x["b_index"] < y["b_index"]; });
+  EXPECT_EQ(Json(pairs), whole["pairs"]);
+  EXPECT_EQ(lines.back()["complete"], true);
+  EXPECT_EQ(lines.back()["pairs"], whole["pairs"].size());
+}
+
+TEST_F(CheckLong, AtItsLimitACheckTellsWhatIsLeftAndNeverLooksComplete) {
+  const Words words{"check", "heap.json", "--penetration", "--limit-time", "0.001"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return run(more);
+  };
+  const auto table = with({"--junit", "found.xml", "--sarif", "found.sarif", "--save-case", "case.json"});
+  EXPECT_EQ(table.exit_code, 3);
+  EXPECT_NE(table.out.find("Stopped: 780 pairs not looked at; what is told is right, and not all."), std::string::npos);
+  EXPECT_EQ(table.out.find("Nothing collides"), std::string::npos);
+  EXPECT_NE(table.err.find("the check was stopped at its time limit: 780 of 780 pairs"), std::string::npos)
+      << table.err;
+  EXPECT_NE(test::text_of(folder.path() / "found.xml").find("<error type=\"stopped\""), std::string::npos);
+  EXPECT_EQ(
+      Json::parse(test::text_of(folder.path() / "found.sarif"))["runs"][0]["invocations"][0]["executionSuccessful"],
+      false);
+  EXPECT_FALSE(Json::parse(test::text_of(folder.path() / "case.json")).contains("answer"));
+  const Json json = Json::parse(with({"--json"}).out);
+  EXPECT_EQ(json["unfinished"], 780);
+  EXPECT_EQ(json["candidate_pairs"], 780);
+  const std::vector<Json> lines = lines_of(with({"--stream"}).out);
+  EXPECT_EQ(lines.back()["complete"], false);
+  EXPECT_EQ(lines.back()["unfinished"], 780);
+}
+
+TEST_F(CheckLong, AStoppedCheckDoesNotTakeWhatItDidNotLookAtForSolved) {
+  folder.write("old.json", run({"check", "two.json", "--json"}).out);
+  const auto result = run({"check", "two.json", "--baseline", "old.json", "--limit-time", "1e-9", "--json"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(Json::parse(result.out)["baseline"]["gone"].empty());
+}
+
+TEST_F(CheckLong, AWholeCheckWithinItsLimitIsAsWithoutOne) {
+  const std::string plain = run({"check", "two.json", "--json"}).out;
+  EXPECT_EQ(run({"check", "two.json", "--json", "--limit-time", "3600"}).out, plain);
+}
+
+/// Starts the command there, with its answer going to the file `out`.
+pid_t started(const std::filesystem::path& folder, Words words) {
+  const std::string program = test::command_file();
+  words.insert(words.begin(), program);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child != 0) return child;
+  const bool is_ready = chdir(folder.c_str()) == 0 && std::freopen("out", "w", stdout) != nullptr &&
+                        std::freopen("err", "w", stderr) != nullptr;
+  if (is_ready) execv(program.c_str(), arguments.data());
+  _exit(127);
+}
+
+TEST_F(CheckLong, InterruptedItTellsWhatIsDone) {
+  const pid_t child = started(
+      folder.path(), {"check", "heap.json", "--penetration", "--precision", "0.0001", "--threads", "1", "--stream"});
+  ASSERT_GT(child, 0);
+  const auto told = [&] { return test::text_of(folder.path() / "out"); };
+  const auto lines = [&] { return std::ranges::count(told(), '\n'); };
+  for (int i = 0; i < 6000 && lines() < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGINT);
+  int state = 0;
+  waitpid(child, &state, 0);
+  ASSERT_TRUE(WIFEXITED(state));
+  EXPECT_EQ(WEXITSTATUS(state), 3);
+  const std::vector<Json> found = lines_of(told());
+  EXPECT_EQ(found.back()["complete"], false);
+  EXPECT_GT(found.back()["unfinished"], 0);
+  EXPECT_EQ(found.back()["pairs"], found.size() - 2);
+  EXPECT_NE(test::text_of(folder.path() / "err").find("stopped as it was interrupted"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace toccata
