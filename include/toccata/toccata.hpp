@@ -28,6 +28,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
+#include "toccata/query/manifolds.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/nearest.hpp"
 #include "toccata/query/object_queries.hpp"

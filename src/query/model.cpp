@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "query/manifolds/vertex_fans.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/builders.hpp"
@@ -57,6 +58,13 @@ struct Model::Parts {
     for (const CompoundPart& part : given.parts()) models.push_back(Model(part.shape, threads));
   }
 
+  [[nodiscard]] bool has(ModelPart part) const {
+    return is_made[static_cast<std::size_t>(part)].load(std::memory_order_acquire);
+  }
+  void tell_made(ModelPart part) const {
+    is_made[static_cast<std::size_t>(part)].store(true, std::memory_order_release);
+  }
+
   Shape shape;
   std::shared_ptr<const TriangleMesh> mesh;  ///< not of a compound
   WideBvh wide_bvh;
@@ -64,15 +72,16 @@ struct Model::Parts {
   std::vector<Model> models;  ///< of a compound
 
   // What not every question needs, made by the first that does.
-  mutable std::once_flag tree_made, oriented_made, moments_made, leaves_made, parts_found, closed_known;
+  mutable std::once_flag tree_made, oriented_made, moments_made, leaves_made, parts_found, closed_known, fans_made;
   mutable Bvh<Aabb> tree;
   mutable std::vector<OrientedBlock> oriented_boxes;
   mutable std::vector<WindingMoments> winding_moments;
   mutable LeafTriangles leaf_triangles;
-  mutable std::atomic<bool> has_leaf_triangles = false;
   mutable std::atomic<std::size_t> questions_at_leaves = 0;
   mutable MeshParts mesh_parts;
+  mutable VertexFans vertex_fans;
   mutable bool closed = false;
+  mutable std::array<std::atomic<bool>, all_model_parts.size()> is_made{};
 };
 
 Model::Model(TriangleMesh mesh, int threads) : Model(std::make_shared<const TriangleMesh>(std::move(mesh)), threads) {}
@@ -158,14 +167,20 @@ const Bvh<Aabb>& Model::tree() const {
 std::span<const OrientedBlock> Model::oriented_boxes() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->oriented_made,
-                 [&] { parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_bvh, triangles); });
+                 [&] {
+    parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_bvh, triangles);
+    parts_->tell_made(ModelPart::turned_boxes);
+  });
   return parts_->oriented_boxes;
 }
 
 std::span<const WindingMoments> Model::winding_moments() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->moments_made,
-                 [&] { parts_->winding_moments = toccata::winding_moments(parts_->wide_bvh, triangles); });
+                 [&] {
+    parts_->winding_moments = toccata::winding_moments(parts_->wide_bvh, triangles);
+    parts_->tell_made(ModelPart::winding);
+  });
   return parts_->winding_moments;
 }
 
@@ -173,7 +188,7 @@ const LeafTriangles& Model::leaf_triangles() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->leaves_made, [&] {
     parts_->leaf_triangles = toccata::leaf_triangles(parts_->wide_bvh, triangles);
-    parts_->has_leaf_triangles.store(true, std::memory_order_release);
+    parts_->tell_made(ModelPart::leaf_triangles);
   });
   return parts_->leaf_triangles;
 }
@@ -182,7 +197,7 @@ const LeafTriangles* Model::leaf_triangles_for(std::size_t questions) const {
   // Making them takes as long per triangle as they save in about a tenth of a question.
   constexpr std::size_t triangles_per_question = 16;
   const std::size_t triangles = mesh().triangle_count();
-  if (parts_->has_leaf_triangles.load(std::memory_order_acquire)) return &parts_->leaf_triangles;
+  if (parts_->has(ModelPart::leaf_triangles)) return &parts_->leaf_triangles;
   const std::size_t asked = parts_->questions_at_leaves.fetch_add(questions, std::memory_order_relaxed) + questions;
   return asked >= triangles / triangles_per_question ? &leaf_triangles() : nullptr;
 }
@@ -195,8 +210,98 @@ const MeshParts& Model::mesh_parts() const {
 
 bool Model::closed() const {
   const TriangleMesh& triangles = mesh();
-  std::call_once(parts_->closed_known, [&] { parts_->closed = is_closed(triangles); });
+  std::call_once(parts_->closed_known, [&] {
+    parts_->closed = is_closed(triangles);
+    parts_->tell_made(ModelPart::solidity);
+  });
   return parts_->closed;
+}
+
+const VertexFans& Model::vertex_fans() const {
+  static_cast<void>(mesh());
+  std::call_once(parts_->fans_made, [&] {
+    parts_->vertex_fans = VertexFans(*this);
+    parts_->tell_made(ModelPart::neighbours);
+  });
+  return parts_->vertex_fans;
+}
+
+namespace {
+
+/// What a part of a model takes: measured of meshes of a million triangles, where building the tree is 1.
+struct PartMeasure {
+  double bytes_per_triangle;
+  double of_building;
+};
+
+constexpr PartMeasure measure_of(ModelPart part) {
+  switch (part) {
+    case ModelPart::solidity:
+      return {0, 0.3};
+    case ModelPart::leaf_triangles:
+      return {53, 0.1};
+    case ModelPart::turned_boxes:
+      return {75, 1};
+    case ModelPart::winding:
+      return {80, 0.5};
+    case ModelPart::neighbours:
+      return {26, 0.5};
+  }
+  return {};
+}
+
+void make_part(const Model& mesh, ModelPart part) {
+  switch (part) {
+    case ModelPart::solidity:
+      static_cast<void>(mesh.closed());
+      return;
+    case ModelPart::leaf_triangles:
+      static_cast<void>(mesh.leaf_triangles());
+      return;
+    case ModelPart::turned_boxes:
+      static_cast<void>(mesh.oriented_boxes());
+      return;
+    case ModelPart::winding:
+      static_cast<void>(mesh.winding_moments());
+      return;
+    case ModelPart::neighbours:
+      static_cast<void>(mesh.vertex_fans());
+      return;
+  }
+}
+
+/// Itself, or its parts and theirs.
+void visit_meshes(const Model& model, const FunctionRef<void(const Model&)>& see) {
+  if (model.has_mesh()) see(model);
+  for (const Model& part : model.parts()) visit_meshes(part, see);
+}
+
+}  // namespace
+
+void Model::prepare(std::span<const ModelPart> wanted, int threads) const {
+  struct Work {
+    const Model* mesh;
+    ModelPart part;
+  };
+  std::vector<Work> work;
+  visit_meshes(*this, [&](const Model& mesh) {
+    for (const ModelPart part : wanted)
+      if (!mesh.parts_->has(part)) work.push_back({&mesh, part});
+  });
+  parallel_for(work.size(), threads, [&](std::size_t i) { make_part(*work[i].mesh, work[i].part); });
+}
+
+std::vector<PartCost> Model::part_costs() const {
+  std::vector<PartCost> costs;
+  visit_meshes(*this, [&](const Model& mesh) {
+    if (costs.empty())
+      for (const ModelPart part : all_model_parts) costs.push_back({part, true, 0, measure_of(part).of_building});
+    for (PartCost& cost : costs) {
+      cost.is_made = cost.is_made && mesh.parts_->has(cost.part);
+      cost.bytes += static_cast<std::size_t>(measure_of(cost.part).bytes_per_triangle * mesh.element_count());
+    }
+  });
+  return costs;
 }
 
 namespace {

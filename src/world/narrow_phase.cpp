@@ -6,8 +6,9 @@
 
 #include <hwy/cache_control.h>
 
+#include "query/ask.hpp"
 #include "query/ask_each.hpp"
-#include "query/contacts/part_contacts.hpp"
+#include "query/manifolds/model_manifolds.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/motion/rigid_motion.hpp"
@@ -140,6 +141,11 @@ bool has_first_contact(const Body& a, const Body& b) {
          PairState::defined;
 }
 
+/// Of two shapes of which there is at most one.
+Manifold plain(std::span<const ModelManifold> manifolds) {
+  return manifolds.empty() ? Manifold{} : static_cast<const Manifold&>(manifolds[0]);
+}
+
 }  // namespace
 
 void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way,
@@ -191,7 +197,10 @@ PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contac
     const auto found = contacts(a.model, b.model, query, workspace);
     details.contacts.assign(found.begin(), found.end());
   }
-  if (options_.manifold) details.manifold = manifold_where_defined(a.model, b.model, query, workspace);
+  if (options_.manifold) {
+    details.manifolds = manifolds_of(a.model, b.model, query, true, workspace);
+    if (is_defined(ShapeQuestion::manifold, a.model, b.model)) details.manifold = plain(details.manifolds);
+  }
   if (options_.penetration) {
     const Relation lie = details.relation ? *details.relation : relation(a.model, b.model, query, workspace);
     if (const auto depth = depth_where_defined(a.model, b.model, query, lie, {}, workspace))

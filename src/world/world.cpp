@@ -1,5 +1,7 @@
 #include "toccata/world/world.hpp"
 
+#include <utility>
+
 #include "world/world_state.hpp"
 
 namespace toccata {
@@ -27,8 +29,10 @@ void World::move_along(std::span<const BodyId> ids, std::span<const RigidMotion>
 void World::move_along(BodyId id, const RigidMotion& motion) { state_->move_along({&id, 1}, {&motion, 1}); }
 void World::replace(std::span<const BodyId> ids, std::span<const Body> bodies) { state_->replace(ids, bodies); }
 void World::replace(BodyId id, const Body& body) { state_->replace({&id, 1}, {&body, 1}); }
+Refit World::deform(BodyId id, std::vector<Vec3> vertices) { return state_->deform(id, std::move(vertices)); }
 void World::set_rules(std::span<const PairRule> rules) { state_->set_rules(rules); }
 void World::set_rule(const PairRule& rule) { state_->set_rules({&rule, 1}); }
+void World::prepare() const { state_->prepare(); }
 const WorldStep& World::step() { return state_->step(); }
 
 const WorldStep& World::last_step() const { return state_->last_step(); }
@@ -36,6 +40,7 @@ std::span<const PairReport> World::pairs() const { return state_->pairs(); }
 std::size_t World::size() const { return state_->size(); }
 bool World::contains(BodyId id) const { return state_->contains(id); }
 const Body& World::body(BodyId id) const { return state_->body(state_->require(id)); }
+std::optional<double> World::pair_margin(BodyId a, BodyId b) const { return state_->pair_margin(a, b); }
 const Aabb& World::box(BodyId id) const { return state_->boxes()[state_->require(id)]; }
 std::span<const Aabb> World::boxes() const { return state_->boxes(); }
 std::uint64_t World::revision() const { return state_->revision(); }

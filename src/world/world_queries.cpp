@@ -4,6 +4,7 @@
 
 #include "query/scenes/object_queries.hpp"
 #include "toccata/core/error.hpp"
+#include "world/pair_search.hpp"
 
 namespace toccata {
 
@@ -37,6 +38,37 @@ WorldQueries::WorldQueries(const World& world) : ObjectQueries({&world}) { updat
 void WorldQueries::update() {
   boxes_.update(objects_.world->boxes());
   objects_.revision = objects_.world->revision();
+}
+
+std::optional<BodyPair> WorldQueries::any_contact(const BodyPairs& pairs) const { return any_within(0, pairs); }
+
+std::optional<BodyPair> WorldQueries::any_within(double distance, const BodyPairs& pairs) const {
+  objects_.require_unchanged();
+  Workspace workspace;
+  return BodyPairSearch(objects_, boxes_, pairs).first_within(distance, workspace);
+}
+
+std::optional<BodyPairAnswer<Distance>> WorldQueries::least_distance(const BodyPairs& pairs,
+                                                                     double max_distance) const {
+  objects_.require_unchanged();
+  Workspace workspace;
+  return BodyPairSearch(objects_, boxes_, pairs).nearest(max_distance, workspace);
+}
+
+std::vector<std::optional<BodyPair>> WorldQueries::any_contact_each(std::span<const BodyPairs> pairs,
+                                                                    const BatchOptions& options) const {
+  objects_.require_unchanged();
+  return ask_each(pairs, "pairs", options, [&](const BodyPairs& one, Workspace& workspace) {
+    return BodyPairSearch(objects_, boxes_, one).first_within(0, workspace);
+  });
+}
+
+std::vector<std::optional<BodyPairAnswer<Distance>>> WorldQueries::least_distance_each(
+    std::span<const BodyPairs> pairs, double max_distance, const BatchOptions& options) const {
+  objects_.require_unchanged();
+  return ask_each(pairs, "pairs", options, [&](const BodyPairs& one, Workspace& workspace) {
+    return BodyPairSearch(objects_, boxes_, one).nearest(max_distance, workspace);
+  });
 }
 
 template class ObjectQueries<WorldBodies>;

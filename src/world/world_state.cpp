@@ -276,6 +276,52 @@ void World::State::replace(std::span<const BodyId> ids, std::span<const Body> bo
   revision_ = next_revision();
 }
 
+Refit World::State::deform(BodyId id, std::vector<Vec3> vertices) {
+  const Index index = require(id);
+  Body& body = bodies_[index];
+  const auto who = [&] { return name_of_body(index); };
+  const auto deformed = [&](std::vector<Vec3> to) {
+    try {
+      return body.model.deform(std::move(to), options_.threads);
+    } catch (const Error& error) {
+      throw Error(who() + ": " + error.what());
+    }
+  };
+  std::vector<Vec3> before;
+  if (body.model.has_mesh()) before.assign(body.model.mesh().vertices().begin(), body.model.mesh().vertices().end());
+  const Refit done = deformed(std::move(vertices));
+  try {
+    boxes_[index] = body_box(body, body.pose, who);
+  } catch (const Error&) {
+    // It may no longer be posed so, or not as a solid.
+    static_cast<void>(deformed(std::move(before)));
+    throw;
+  }
+  if (on_the_way_.erase(index) != 0 && schedule_) schedule_->land(index);
+  mark_changed(index);
+  if (schedule_) schedule_->put(index, body);
+  place({&index, 1});
+  revision_ = next_revision();
+  return done;
+}
+
+void World::State::prepare() const {
+  std::vector<ModelPart> wanted{ModelPart::solidity, ModelPart::leaf_triangles};
+  const bool has_margins = std::ranges::any_of(slots_, [](const Slot& slot) {
+    return slot.is_used && (slot.margin > 0 || slot.rule_margin > 0);
+  });
+  if (options_.distance || options_.space_time || has_margins) wanted.push_back(ModelPart::turned_boxes);
+  if (options_.manifold) wanted.push_back(ModelPart::neighbours);
+  for (Index i = 0; i < slots_.size(); ++i)
+    if (slots_[i].is_used) bodies_[i].model.prepare(wanted, options_.threads);
+}
+
+std::optional<double> World::State::pair_margin(BodyId a, BodyId b) const {
+  const Index first = require(a), second = require(b);
+  if (first == second) throw Error(fmt::format("{} is asked about with itself", name_of_body(first)));
+  return margin_of({std::min(first, second), std::max(first, second)});
+}
+
 void World::State::apply(const PairRule& rule) {
   const Index a = rule.a.index, b = rule.b.index;
   rules_.set(a, b, {rule.excluded, rule.margin});

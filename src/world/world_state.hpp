@@ -27,7 +27,9 @@ class World::State {
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   void move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions);
   void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
+  Refit deform(BodyId id, std::vector<Vec3> vertices);
   void set_rules(std::span<const PairRule> rules);
+  void prepare() const;
   const WorldStep& step();
 
   [[nodiscard]] bool contains(BodyId id) const {
@@ -36,6 +38,8 @@ class World::State {
   }
   /// Throws Error naming the id when it is of no body.
   [[nodiscard]] Index require(BodyId id) const;
+
+  [[nodiscard]] std::optional<double> pair_margin(BodyId a, BodyId b) const;
 
   [[nodiscard]] const WorldOptions& options() const { return options_; }
   [[nodiscard]] const BroadPhase& broad_phase() const { return phase_; }

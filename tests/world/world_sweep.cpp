@@ -40,7 +40,7 @@ bool same(const PairReport& a, const PairReport& b) {
                    return one.triangle_a == other.triangle_a && one.triangle_b == other.triangle_b;
                  });
   return x.relation == y.relation && x.distance == y.distance && x.manifold == y.manifold &&
-         x.penetration == y.penetration && same_contacts;
+         x.manifolds == y.manifolds && x.penetration == y.penetration && same_contacts;
 }
 
 bool same(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
@@ -265,6 +265,9 @@ class WorldLife {
             PairState::defined;
     if (told.manifold != (has_manifold ? std::optional(manifold(a.model, b.model, query)) : std::nullopt))
       return "another manifold";
+    if (told.manifolds != (asked.manifold && report.in_contact ? manifolds(a.model, b.model, query)
+                                                               : std::vector<ModelManifold>{}))
+      return "other manifolds";
     if (told.penetration && told.penetration != penetration(a.model, b.model, query)) return "another penetration";
     return {};
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,6 +18,7 @@
 
 namespace toccata {
 
+class VertexFans;
 struct LeafTriangles;
 struct OrientedBlock;
 struct WindingMoments;
@@ -33,6 +36,27 @@ concept ShapeOfAModel = std::same_as<S, TriangleMesh> || std::same_as<S, std::sh
 
 template <class A, class B>
 concept NeedAModel = ShapeOfAModel<A> || ShapeOfAModel<B>;
+
+/// What some questions need of a mesh besides its tree. It is made when a question first needs it, and kept; or before,
+/// by Model::prepare.
+enum class ModelPart : std::uint8_t {
+  solidity,        ///< whether it is closed, and its connected parts: all questions that may take it as a solid
+  leaf_triangles,  ///< triangles side by side: overlap, contacts and casts, asked often
+  turned_boxes,    ///< distance, within_distance and nearest
+  winding,         ///< what is inside: winding numbers and signed distances
+  neighbours,      ///< which triangles meet at a vertex: manifolds
+};
+
+inline constexpr std::array all_model_parts{ModelPart::solidity, ModelPart::leaf_triangles, ModelPart::turned_boxes,
+                                            ModelPart::winding, ModelPart::neighbours};
+
+/// What the first question that needs a part waits for.
+struct PartCost {
+  ModelPart part{};
+  bool is_made = false;    ///< nothing is to be waited for any more
+  std::size_t bytes = 0;   ///< of memory, when it is made; about
+  double of_building = 0;  ///< time to make it, on one thread, as a share of that to build the tree; about
+};
 
 /// A shape made ready for questions: the shape and the trees over it. Copies share all, until one is deformed. Build
 /// one per shape and pose it as often as needed; questions from many threads may share one.
@@ -65,6 +89,14 @@ class Model {
   /// up instead of copying it. Throws Error when it is no mesh, for another number of vertices, and when one is not
   /// finite; it then stays as it was.
   Refit deform(std::vector<Vec3> vertices, int threads = own_thread);
+
+  /// Makes what is not made yet of these, of the parts of a compound too, on up to `threads` threads (core/parallel.hpp):
+  /// then no question waits for it. Of other shapes there is nothing to make. Questions may be asked meanwhile.
+  void prepare(std::span<const ModelPart> parts = all_model_parts, int threads = all_threads) const;
+
+  /// What there is to make, or was made, of each of `all_model_parts`, in their order; of a compound that of its parts
+  /// together, and `is_made` where all is. Empty of shapes that have nothing to make.
+  [[nodiscard]] std::vector<PartCost> part_costs() const;
 
   [[nodiscard]] const Shape& shape() const;
 
@@ -110,6 +142,9 @@ class Model {
 
   /// The connected parts of the mesh; found out when first asked for.
   [[nodiscard]] const MeshParts& mesh_parts() const;
+
+  /// Which triangles meet at a vertex; made when first asked for. For the library itself.
+  [[nodiscard]] const VertexFans& vertex_fans() const;
 
   /// Closed: a mesh may be taken as a solid. Found out when first asked for.
   [[nodiscard]] bool closed() const;

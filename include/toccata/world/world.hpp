@@ -16,6 +16,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
+#include "toccata/query/manifolds.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/world/body.hpp"
@@ -27,8 +28,7 @@ struct WorldOptions {
   bool relation = false;
   bool distance = false;
   bool contacts = false;  ///< of pairs in contact: their elements that meet
-  bool manifold = false;  ///< of pairs in contact, where it is defined (pairs.hpp): of two convex shapes or one and a
-                          ///< half-space
+  bool manifold = false;  ///< of pairs in contact: where they touch, as points and normals (manifolds.hpp)
   bool penetration = false;  ///< of two solids in contact, where it is defined
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
@@ -50,7 +50,9 @@ struct PairDetails {
   std::optional<Relation> relation{};
   std::optional<Distance> distance{};
   std::vector<Contact> contacts{};
-  std::optional<Manifold> manifold{};
+  std::optional<Manifold> manifold{};  ///< of two convex shapes or one and a half-space
+  /// Of every pair in contact with WorldOptions::manifold, whatever the shapes: what `manifolds` answers.
+  std::vector<ModelManifold> manifolds{};
   std::optional<Penetration> penetration{};
 };
 
@@ -133,10 +135,20 @@ class World {
   void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
   void replace(BodyId id, const Body& body);
 
+  /// Gives the mesh of a body other vertices, as Model::deform does: the tree keeps its shape, which takes a part of the
+  /// time that `replace` needs. Other bodies, and copies of the World, that share its model stay as they are; a model
+  /// that is this body's alone gives its tree up instead of copying it. Throws Error as Model::deform and `add` do, and
+  /// for an id of no body here.
+  Refit deform(BodyId id, std::vector<Vec3> vertices);
+
   /// Each takes the place of an earlier rule for the same two bodies; one that says nothing ends it. Throws Error for
   /// an id of no body here, a body with itself, and a margin that is no length.
   void set_rules(std::span<const PairRule> rules);
   void set_rule(const PairRule& rule);
+
+  /// Makes what the next steps need of the bodies' models (Model::prepare), on the threads of the World's options: else
+  /// the first step that needs it waits for that. No answer depends on it.
+  void prepare() const;
 
   /// Finds the pairs of the bodies as they are now.
   const WorldStep& step();
@@ -153,6 +165,9 @@ class World {
   [[nodiscard]] bool contains(BodyId id) const;
   /// As it was given last. Throws Error naming the id when it is of no body here.
   [[nodiscard]] const Body& body(BodyId id) const;
+  /// How near two bodies have to be to be a pair, by their margins and rules; none where the two are never compared.
+  /// Throws Error like `body`, and for one body twice.
+  [[nodiscard]] std::optional<double> pair_margin(BodyId a, BodyId b) const;
   /// Contains the body where it is now, without its margin; a half-space's has infinite sides. Throws Error like
   /// `body`.
   [[nodiscard]] const Aabb& box(BodyId id) const;

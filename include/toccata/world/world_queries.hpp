@@ -2,7 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "toccata/query/object_queries.hpp"
 #include "toccata/world/world.hpp"
@@ -44,6 +48,35 @@ struct WorldBodies {
   void require_unchanged() const;
 };
 
+/// A body at a place where it is not.
+struct PlacedBody {
+  BodyId body;
+  Pose pose;
+};
+
+/// Which pairs of bodies are asked about: of those that the World compares (groups, types and rules), each of which one
+/// body is in one of the groups `first_groups` and the other in one of `second_groups`.
+struct BodyPairs {
+  std::uint64_t first_groups = ~std::uint64_t{0};
+  std::uint64_t second_groups = ~std::uint64_t{0};
+  /// Bodies as if they were there, each named once; all others are where they are. If there are any, only pairs of which
+  /// one is such a body are asked about.
+  std::span<const PlacedBody> placed{};
+};
+
+struct BodyPair {
+  BodyId a;  ///< a.index < b.index
+  BodyId b;
+  friend constexpr auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// What was found, and of which two bodies; as the question of that name answers it for (a, b).
+template <class Answer>
+struct BodyPairAnswer : Answer {
+  BodyPair bodies;
+  friend constexpr bool operator==(const BodyPairAnswer&, const BodyPairAnswer&) = default;
+};
+
 /// Questions to all bodies of a World, by a tree over their boxes that is kept from step to step. It looks at the World
 /// where it is, which has to outlive it and not be moved; after the bodies have changed, `update` is called once before
 /// anything is asked.
@@ -57,6 +90,27 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
 
   /// Looks where the bodies are now: takes time as a pass over their boxes does.
   void update();
+
+  // Of pairs of bodies. Margins do not matter. They throw like the questions about two models, naming the bodies; and
+  // Error for a placed body that is none of the World, is named twice, or has a pose that it may not have.
+
+  /// The least pair (a, b) that has a point in common; none where no pair has. It ends with that pair: what comes after
+  /// it is not asked about.
+  [[nodiscard]] std::optional<BodyPair> any_contact(const BodyPairs& pairs = {}) const;
+  /// The same of pairs that are at most so far apart, decided exactly (`within_distance`). Throws Error when the
+  /// distance is negative or no number.
+  [[nodiscard]] std::optional<BodyPair> any_within(double distance, const BodyPairs& pairs = {}) const;
+  /// The least distance, of several such pairs that of the least (upper, a, b); `lower` is such that the least of all
+  /// pairs is not below it. None where no pair is within the greatest distance.
+  [[nodiscard]] std::optional<BodyPairAnswer<Distance>> least_distance(const BodyPairs& pairs = {},
+                                                                       double max_distance = unlimited) const;
+
+  // The same asked many times at once, as of many places of a robot; an error begins with "pairs i: ", of the least
+  // such i.
+  [[nodiscard]] std::vector<std::optional<BodyPair>> any_contact_each(std::span<const BodyPairs> pairs,
+                                                                      const BatchOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::optional<BodyPairAnswer<Distance>>> least_distance_each(
+      std::span<const BodyPairs> pairs, double max_distance = unlimited, const BatchOptions& options = {}) const;
 };
 
 }  // namespace toccata

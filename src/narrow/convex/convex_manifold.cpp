@@ -7,6 +7,7 @@
 #include "math/constants.hpp"
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/boxes/box_manifold.hpp"
+#include "narrow/contact/manifold_along.hpp"
 #include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/contact_choices.hpp"
@@ -277,6 +278,22 @@ Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* 
     if (const std::optional<Manifold> found = of_rigid_boxes(a, b, workspace)) return *found;
   if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);
   return flipped(in_canonical_order(b, a, workspace));
+}
+
+Manifold manifold_along(const PosedPolytope& a, const PosedPolytope& b, const Vec3& direction) {
+  const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
+  if (exponent != 0) return scaled(manifold_along(a.scaled(exponent), b.scaled(exponent), direction), -exponent);
+  std::array<std::byte, 8192> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  ManifoldPoints points = points_of_faces(a, b, direction, infinity, {}, memory);
+  return points.empty() ? Manifold{} : made_of(direction, points);
+}
+
+double overlap_along(const PosedPolytope& a, const PosedPolytope& b, const Vec3& direction) {
+  double reach = -infinity, begin = infinity;
+  for (Index i = 0; i < a.vertex_count(); ++i) reach = std::max(reach, dot(a.vertex(i), direction));
+  for (Index i = 0; i < b.vertex_count(); ++i) begin = std::min(begin, dot(b.vertex(i), direction));
+  return (reach - begin) + (a.radius() + b.radius());
 }
 
 }  // namespace toccata

@@ -10,9 +10,9 @@
 
 #include "math/vec3_measures.hpp"
 #include "query/contacts/common_shadow.hpp"
+#include "query/contacts/outward_turn.hpp"
 #include "query/contacts/region_depth.hpp"
 #include "query/contacts/region_members.hpp"
-#include "query/inside/inside_winding.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/posed_mesh_pair.hpp"
 #include "toccata/core/error.hpp"
@@ -20,34 +20,6 @@
 
 namespace toccata {
 namespace {
-
-double sign_of_volume(const PosedMesh& mesh) {
-  const Aabb& box = mesh.box();
-  const Vec3 middle = 0.5 * box.lower + 0.5 * box.upper, size = box.upper - middle;
-  const double unit = std::max({size.x, size.y, size.z});
-  const auto seen = [&](const Vec3& v) -> Vec3 {
-    return {(v.x - middle.x) / unit, (v.y - middle.y) / unit, (v.z - middle.z) / unit};
-  };
-  double volume = 0;
-  for (Index t = 0; t < mesh.model().element_count(); ++t) {
-    const Triangle triangle = mesh.triangle(t);
-    volume += dot(seen(triangle[0]), cross(seen(triangle[1]), seen(triangle[2])));
-  }
-  return volume < 0 ? -1 : 1;
-}
-
-/// −1 for a solid that is inside out, so that its triangles' normals point inwards: a mirrored one, for example. The
-/// sign of its winding number inside tells, and beside one of its triangles is the inside.
-double turn_of(const PosedMesh& mesh, bool solid, Index triangle) {
-  if (!solid) return 1;
-  constexpr double share = 0x1p-20;
-  const Triangle t = mesh.triangle(triangle);
-  const Vec3 middle = (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2];
-  const Vec3 step = share * largest_magnitude(t[1] - t[0]) * normal_of_any_size(t);
-  for (const Vec3& point : {middle - step, middle + step})
-    if (const int winding = wind_along(mesh, ExactPoint(point), 0).ahead; winding != 0) return winding < 0 ? -1 : 1;
-  return sign_of_volume(mesh);
-}
 
 /// What is added up over the contacts of a region.
 struct Outline {
@@ -141,8 +113,8 @@ class Regions {
         contacts_(contacts),
         graph_a_(pair.a),
         graph_b_(pair.b),
-        turn_a_(turn_of(pair.a, pair.a_solid, contacts.front().triangle_a)),
-        turn_b_(turn_of(pair.b, pair.b_solid, contacts.front().triangle_b)) {
+        turn_a_(pair.a_solid ? outward_turn(pair.a, contacts.front().triangle_a) : 1),
+        turn_b_(pair.b_solid ? outward_turn(pair.b, contacts.front().triangle_b) : 1) {
     if (!pair.a_solid || !pair.b_solid) return;
     common_.emplace(CommonPart{SurfaceWithin(graph_a_, pair.b, contacts, ContactSide::a),
                                SurfaceWithin(graph_b_, pair.a, contacts, ContactSide::b),

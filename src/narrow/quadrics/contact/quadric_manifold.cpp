@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/canonical_order.hpp"
+#include "narrow/contact/four_points.hpp"
+#include "narrow/contact/manifold_along.hpp"
 #include "narrow/convex/contact_choices.hpp"
 #include "narrow/quadrics/contact/patch_overlap.hpp"
 #include "narrow/quadrics/contact/quadric_separation.hpp"
@@ -17,94 +18,11 @@
 namespace toccata {
 namespace {
 
-/// Points are as deep as each other within this, in a pair of size 1, and within this part of the depth.
+/// Points are as deep as each other within this, in a pair of size 1.
 constexpr double same_depth = 0x1p-40;
-constexpr double same_part_of_depth = 0x1p-20;
-
-/// Another point has to be so much better than one that was seen before, and to add so much to what the others span.
-constexpr double better = 1 + 0x1p-30;
-constexpr double least_share = 0x1p-20;
 
 using CommonPoints = std::pmr::vector<CommonPoint>;
-
-double squared_length(const Vec3& v) { return v.x * v.x + v.y * v.y; }
-double twice_area(const Vec3& u, const Vec3& v) { return u.x * v.y - u.y * v.x; }
-
-double squared_span(const CommonPoints& points, const Vec3& from) {
-  double span = 0;
-  for (const CommonPoint& p : points) span = std::fmax(span, squared_length(p.at - from));
-  return span;
-}
-
-double greatest_depth(const CommonPoints& points) {
-  double depth = -HUGE_VAL;
-  for (const CommonPoint& p : points) depth = std::fmax(depth, p.depth);
-  return depth;
-}
-
-Vec3 mean_of(const CommonPoints& points) {
-  Vec3 sum;
-  for (const CommonPoint& p : points) sum = sum + p.at;
-  return (1.0 / static_cast<double>(points.size())) * sum;
-}
-
-/// Of those as deep as any the first that is farthest from the middle.
-std::size_t deepest_of(const CommonPoints& points) {
-  const double depth = greatest_depth(points);
-  const double enough = depth - std::fmax(same_depth, same_part_of_depth * std::fabs(depth));
-  const Vec3 middle = mean_of(points);
-  std::size_t best = points.size();
-  double farthest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double squared = squared_length(points[i].at - middle);
-    if (points[i].depth < enough || (best < points.size() && squared <= better * farthest)) continue;
-    best = i;
-    farthest = squared;
-  }
-  return best;
-}
-
-/// Takes the deepest point, the farthest from it, the farthest from the line through these, and the one that adds the
-/// most to the triangle of these.
-class FourPoints {
- public:
-  explicit FourPoints(CommonPoints& points) : points_(points) {}
-
-  std::pmr::vector<CommonPoint> taken() {
-    CommonPoints four(points_.get_allocator());
-    std::swap(points_.front(), points_[deepest_of(points_)]);
-    const Vec3 first = points_.front().at;
-    const double span = squared_span(points_, first);
-    four.push_back(points_.front());
-    const auto add = [&](const auto& measure, double least) {
-      const CommonPoint* best = nullptr;
-      double greatest = least;
-      for (const CommonPoint& p : points_)
-        if (const double here = measure(p.at); here > (best == nullptr ? greatest : better * greatest)) {
-          best = &p;
-          greatest = here;
-        }
-      if (best != nullptr) four.push_back(*best);
-      return best != nullptr;
-    };
-    if (!add([&](const Vec3& p) { return squared_length(p - first); }, least_share * least_share)) return four;
-    const Vec3 way = four[1].at - first;
-    if (!add([&](const Vec3& p) { return std::fabs(twice_area(way, p - first)); }, least_share * span)) return four;
-    add([&](const Vec3& p) { return area_added(four, p); }, least_share * span);
-    return four;
-  }
-
- private:
-  /// By a point to a triangle, twice: over the side that it sees best.
-  static double area_added(const CommonPoints& triangle, const Vec3& p) {
-    const Vec3 &a = triangle[0].at, &b = triangle[1].at, &c = triangle[2].at;
-    const double turn = twice_area(b - a, c - a) > 0 ? -1 : 1;
-    return std::max(
-        {turn * twice_area(b - a, p - a), turn * twice_area(c - b, p - b), turn * twice_area(a - c, p - c)});
-  }
-
-  CommonPoints& points_;
-};
+using seen_along_normal::deepest_of, seen_along_normal::greatest_depth, seen_along_normal::squared_span;
 
 /// The points of a contact in its frame, of two patches. Along the normal the shapes are as deep as `separation` tells.
 CommonPoints chosen_points(const ContactPatch& a, const ContactPatch& b, double depth,
@@ -112,13 +30,13 @@ CommonPoints chosen_points(const ContactPatch& a, const ContactPatch& b, double 
   CommonPoints points = common_points(a, b, memory);
   for (CommonPoint& p : points) p.depth = std::fmin(p.depth, depth);
   if (!points.empty()) {
-    const double gap = gap_of_resting * std::sqrt(squared_span(points, points[deepest_of(points)].at));
+    const double gap = gap_of_resting * std::sqrt(squared_span(points, points[deepest_of(points, same_depth)].at));
     std::erase_if(points, [=](const CommonPoint& p) { return !(p.depth >= -gap); });
   }
   // Where they would touch last: all there is of a single point, and it may lie amid a contact.
   if (!(greatest_depth(points) >= depth - std::fmax(same_depth, same_part_of_depth * depth)))
     points.insert(points.begin(), {{0, 0, 0}, depth, a.whole, b.whole});
-  return FourPoints(points).taken();
+  return FourPoints(points, same_depth).taken();
 }
 
 /// A contact in the pair's frame, and what its points are made to in the world.
@@ -172,6 +90,18 @@ Manifold manifold_of(const PosedQuadric& a, const B& b) {
   return contact.told(chosen_points(patch_a, patch_b, contact.depth, memory));
 }
 
+/// Whether a point lies over a triangle, seen along the normal; rounding may say either of its edges.
+bool is_over(const Triangle& triangle, const Vec3& point, const Vec3& normal) {
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& corner = triangle[i];
+    const double side = dot(cross(triangle[(i + 1) % 3] - corner, point - corner), normal);
+    least = std::fmin(least, side);
+    greatest = std::fmax(greatest, side);
+  }
+  return least >= 0 || greatest <= 0;
+}
+
 Manifold manifold_over(const PosedQuadric& a, const PosedHalfSpace& b) {
   const QuadricContact how = quadric_contact(a, b);
   if (how == QuadricContact::apart) return {};
@@ -198,5 +128,34 @@ Manifold manifold(const PosedQuadric& a, const PosedPolytope& b) { return manifo
 Manifold manifold(const PosedPolytope& a, const PosedQuadric& b) { return flipped(manifold_of(b, a)); }
 Manifold manifold(const PosedQuadric& a, const PosedHalfSpace& b) { return manifold_over(a, b); }
 Manifold manifold(const PosedHalfSpace& a, const PosedQuadric& b) { return flipped(manifold_over(b, a)); }
+
+Manifold manifold_along(const PosedQuadric& a, const PosedPolytope& triangle, const Vec3& direction) {
+  const PairFrame frame = pair_frame(a, triangle);
+  const QuadricBody body_a(a, frame), body_b(triangle, frame);
+  const Vec3 on_a = body_a.support(direction).point, on_b = body_b.support(-direction).point;
+  const double depth = dot(on_a - on_b, direction);
+  const PairContact contact{frame, {on_a - 0.5 * depth * direction, direction}, depth};
+  std::array<std::byte, 8192> buffer;
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  const ContactPatch patch_a = patch_of(body_a, contact.at, 1, memory);
+  const ContactPatch patch_b = patch_of_second(triangle, body_b, contact, on_b, memory);
+  CommonPoints points = common_points(patch_a, patch_b, memory);
+  if (points.empty() && patch_a.kind == ContactPatch::Kind::point && patch_b.is_area()) {
+    const auto corner = [&](Index i) { return frame.plainly_placed(triangle.vertex(i)); };
+    if (is_over({{corner(0), corner(1), corner(2)}}, on_a, direction))
+      points.push_back({{0, 0, 0}, depth, patch_a.whole, patch_b.whole});
+  }
+  if (points.empty()) return {};
+  for (CommonPoint& p : points) p.depth = std::fmin(p.depth, depth);
+  const double gap = gap_of_resting * std::sqrt(squared_span(points, points[deepest_of(points, same_depth)].at));
+  std::erase_if(points, [=](const CommonPoint& p) { return !(p.depth >= -gap); });
+  return points.empty() ? Manifold{} : contact.told(FourPoints(points, same_depth).taken());
+}
+
+double overlap_along(const PosedQuadric& a, const PosedPolytope& b, const Vec3& direction) {
+  const PairFrame frame = pair_frame(a, b);
+  const PlainBody body_a(a, frame), body_b(b, frame);
+  return dot(body_a.support(direction).point - body_b.support(-direction).point, direction) / frame.factor;
+}
 
 }  // namespace toccata
