@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+from weakened_tree import QUICK_OPTIONS
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PATCHES = ROOT / "docs/design/recipes"
 CODE = ("include/", "src/", "apps/")
@@ -95,7 +97,7 @@ def check_built():
         return
     out = folder / "build/release"
     tests = {"test_narrow": "Quadric*", "test_io": "SceneFile*", "test_bounds": "EveryVolume/13.*", "test_reports": "Extent.*"}
-    for words in [["cmake", "--preset", "release", "-DTOCCATA_BUILD_TESTS=ON", "-DTOCCATA_TEST_WITH_CGAL=OFF"],
+    for words in [["cmake", "--preset", "release", *QUICK_OPTIONS],
                   ["cmake", "--build", out, "--target", "toccata_command", *tests],
                   *[[out / "tests" / test, f"--gtest_filter={names}"] for test, names in tests.items()]]:
         if subprocess.run(words, cwd=folder).returncode != 0:

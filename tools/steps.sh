@@ -21,11 +21,16 @@ show_progress() {
 
 # install_packages LIST…: installs what the lists tools/LIST.txt name and dpkg does not have.
 install_packages() {
+  # shellcheck disable=SC2046
+  install_named $(cd "$source_folder/tools" && cat "${@/%/.txt}")
+}
+
+# install_named PACKAGE…
+install_named() {
+  [[ $# -gt 0 ]] || return 0
   command -v dpkg-query >/dev/null || return 0  # not Debian: CMake will tell what it cannot find
-  local wanted missing
-  wanted=$(cd "$source_folder/tools" && cat "${@/%/.txt}" | sort -u)
-  # shellcheck disable=SC2086
-  missing=$(comm -23 <(echo "$wanted") <(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' $wanted 2>/dev/null | sed -n 's/^ii //p' | sort -u) | xargs)
+  local missing
+  missing=$(comm -23 <(printf '%s\n' "$@" | sort -u) <(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null | sed -n 's/^ii //p' | sort -u) | xargs)
   [[ -n $missing ]] || return 0
   local as_root=()
   if [[ $EUID -ne 0 ]]; then
@@ -65,7 +70,8 @@ configure() {
   if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source_folder" "$folder/CMakeCache.txt"; then
     rm -rf -- "$folder"
   fi
-  if command -v ccache >/dev/null; then
+  # Not in a folder that was begun without: all that is built there would be compiled again.
+  if command -v ccache >/dev/null && { [[ ! -f $folder/build.ninja ]] || grep -qs ccache "$folder/CMakeCache.txt"; }; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
   wanted=("$(cksum <"$source_folder/CMakePresets.json")" "$@")
@@ -148,11 +154,11 @@ run_tests() {
   run_ctest release
 }
 
-# Files of tests and benchmarks are compiled without optimisation, unlike what they test, and those of tests once for two
-# programs: one with the libraries as users get them, one with those under sanitizers. CGAL's second opinion is left to
-# --all.
+# configure_tests [ON | OFF]: files of tests and benchmarks are compiled without optimisation, unlike what they test, and those
+# of tests once for two programs: one with the libraries as users get them, and unless OFF one with those under sanitizers.
+# CGAL's second opinion is left to --all.
 configure_tests() {
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED="${1-ON}" -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
 }
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's
@@ -183,6 +189,11 @@ run_ctest() {
   local folder=$source_folder/build/$1
   shift
   ctest --test-dir "$folder" --output-on-failure --timeout 300 -j "$(nproc)" "$@" 9>&-
+}
+
+# The test programs of rooms that compare with CGAL.
+programs_with_cgal() {
+  (cd "$source_folder/tests" && ls -- */*_cgal_*.cpp) | sed 's|\(.*\)/.*|test_\1|' | sort -u
 }
 
 # run_bench [--with-peers] WORD…: becomes the benchmark program. Without words after --with-peers it is only built.

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """./toccata test --all: the tests of ./toccata test, then the long ones. Takes hours.
 
-A step that passed is not run again for the same sources, so that this may be stopped and started at will; what passed,
-for which commit and how long it took is kept in docs/evidence/test-all.json, the counts of the sweeps in
-docs/evidence/<sweep>.json. `--only STEP…` runs some steps, `--minutes M` limits the sweeps.
+This may be stopped and started at will: what passed is not run again for the same sources, neither a step nor a part of
+one (the tests of a room, a fuzzer, a constant of a proof, a unit of tidy). Which steps passed, for which commit and how
+long they took is kept in docs/evidence/test-all.json, the counts of the sweeps in docs/evidence/<sweep>.json.
+`--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps.
 """
 import argparse
 import hashlib
@@ -12,54 +13,72 @@ import pathlib
 import subprocess
 import sys
 import time
+import typing
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAMPS = ROOT / "build/all"
 EVIDENCE = ROOT / "docs/evidence"
 FUZZ_SECONDS = 120
+CODE = ["apps", "cmake", "include", "src", "tests", "CMakeLists.txt", "CMakePresets.json"]
+ALL = [".", ":!docs/evidence"]
+# What does not depend on the compiler, and nothing but repeats where the step test has run: texts, and pages in a browser.
+TEXTS = "^viewer/|^repository/(format|layering|ledger|proofs|recipes|rooms)$"
+WITH_CGAL = "-DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_WITH_CGAL=ON"
 
-# What each step runs, in the words of tools/steps.sh.
+
+class Step(typing.NamedTuple):
+    """`script` is in the words of tools/steps.sh, and runs each time that the step does. Then come its parts, each once."""
+    script: str
+    reads: list = CODE  # as git names paths: a step that passed has to run again where one of these changed
+    packages: str = ""
+    tests: str = ""  # the preset of which all tests run then, a room being a part
+    leaving: str = "^$"  # and which of them do not
+    environment: str = ""  # of these tests
+    fuzzers: bool = False  # are the parts
+
+
 STEPS = {
-    "test": "run_tests",
-    "asan": "configure asan-ubsan; build asan-ubsan; run_ctest asan-ubsan",
-    "peers": "configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON "
-    "-DTOCCATA_BENCH_ONLY_TESTED=OFF -DTOCCATA_TEST_WITH_CGAL=ON; build release; run_ctest release -R '^bench/|[Cc]gal'",
-    "page": "python3 tests/viewer/check_template.py --npm",
-    "clang": "configure clang; build clang; run_ctest clang",
-    "debug": "configure debug; build debug; run_ctest debug",
-    "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
-    "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
-    "proofs": "python3 tools/check_proofs.py",
-    "python": "python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
-    "build/python/venv/bin/python -m pytest -q python/tests",
-    "formats": "install_packages packages packages-test packages-step; configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
-    "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
-    "python3 -m venv build/formats/bcf; build/formats/bcf/bin/pip install --quiet bcf-client; "
-    "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata --reader",
-    "recipes": "python3 tools/check_recipes.py --build",
-    "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
-    "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "
-    f"(mkdir -p build/fuzz/corpus/${{f##*/}} && cd build/fuzz && ../../$f -max_total_time={FUZZ_SECONDS} -timeout=10 "
-    "-rss_limit_mb=2048 corpus/${f##*/} $known); done",
+    # Without the second run under sanitizers, since the step asan has all tests run under these and more.
+    "test": Step("lock_build_folder; configure_tests OFF; build release", ALL, "chromium assimp-utils", tests="release"),
+    "asan": Step("configure asan-ubsan; build asan-ubsan", tests="asan-ubsan"),
+    "peers": Step(f"configure release {WITH_CGAL} -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=ON -DTOCCATA_BENCH_ONLY_TESTED=OFF; "
+                  "build release toccata_bench $(programs_with_cgal); run_ctest release -R '^bench/|[Cc]gal'",
+                  packages="$(cat tools/packages-bench-peers.txt)"),
+    "page": Step("python3 tests/viewer/check_template.py --npm", ["apps/viewer", "tests/viewer"]),
+    "clang": Step("configure clang; build clang", ALL, "clang", tests="clang", leaving=TEXTS),
+    "debug": Step("configure debug; build debug", ALL, tests="debug", leaving="^viewer/|^repository/"),
+    "tsan": Step("configure tsan; build tsan", tests="tsan", environment="TSAN_OPTIONS=ignore_noninstrumented_modules=1"),
+    "tidy": Step("configure clang -DTOCCATA_BUILD_TESTS=ON; python3 tools/check_tidy.py --all", [*CODE, ".clang-tidy", "tools"], "clang clang-tidy"),
+    "proofs": Step("python3 tools/check_proofs.py", [*CODE, "tools"]),
+    "python": Step("python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
+                   "build/python/venv/bin/python -m pytest -q python/tests", [*CODE, "docs", "python", "pyproject.toml"], "python3-dev python3-venv"),
+    "formats": Step("configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
+                    "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
+                    "python3 -m venv build/formats/bcf; build/formats/bcf/bin/pip install --quiet bcf-client; "
+                    "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata --reader",
+                    packages="$(cat tools/packages-step.txt)"),
+    "recipes": Step("python3 tools/check_recipes.py --build", [*CODE, "docs/design/recipes", "examples", "tools"]),
+    "fuzz": Step("configure fuzz; build fuzz", packages="clang libclang-rt-14-dev", fuzzers=True),
 }
 
 
-def fingerprint():
-    """One number for everything that the steps depend on."""
+def git(*words):
+    return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True).stdout
+
+
+def fingerprint(paths):
+    """One number for the files of ours at these paths."""
     digest = hashlib.sha256()
-    for folder in ["apps", "cmake", "include", "src", "tests", "tools", "CMakeLists.txt", "CMakePresets.json", ".clang-tidy"]:
-        path = ROOT / folder
-        for file in [path] if path.is_file() else sorted(p for p in path.rglob("*") if p.is_file() and "__pycache__" not in p.parts):
-            digest.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
+    for name in sorted(set(git("ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", *paths).split("\0"))):
+        if (ROOT / name).is_file():
+            digest.update(name.encode() + b"\0" + (ROOT / name).read_bytes())
     return digest.hexdigest()
 
 
 def commit():
     """The commit, with a + when the folder differs from it."""
-    def git(*words):
-        return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True).stdout.strip()
-    changed = git("status", "--porcelain", "--", ".", ":!docs/evidence")
-    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + ("+" if changed else "")
+    changed = git("status", "--porcelain", "--", *ALL).strip()
+    return (git("rev-parse", "--short=12", "HEAD").strip() or "unknown") + ("+" if changed else "")
 
 
 def run_steps(script):
@@ -77,20 +96,66 @@ def record(step, seconds):
     unfinished.replace(file)
 
 
-def run_once(step):
-    """Runs a step unless it passed for these sources; says whether it passes."""
-    stamp, now = STAMPS / step, fingerprint()
-    if stamp.exists() and stamp.read_text() == now:
-        print(f"== {step}: passed before, nothing changed", flush=True)
-        return True
-    print(f"== {step}", flush=True)
+def stamped(name, sources):
+    """How many seconds what passed for these sources took, or None."""
+    stamp = STAMPS / name
+    known, _, seconds = stamp.read_text().partition(" ") if stamp.exists() else ("", "", "")
+    return float(seconds or 0) if known == sources else None
+
+
+def passes_once(name, sources, script):
+    """The seconds that the script took, now or before for the same sources; None where it fails."""
+    before = stamped(name, sources)
+    if before is not None:
+        print(f"== {name}: passed before", flush=True)
+        return before
+    print(f"== {name}", flush=True)
     start = time.monotonic()
-    if run_steps(STEPS[step]) != 0:
-        print(f"== {step}: failed", flush=True)
+    if run_steps(script) != 0:
+        return None
+    seconds = time.monotonic() - start
+    stamp = STAMPS / name
+    stamp.parent.mkdir(parents=True, exist_ok=True)
+    stamp.write_text(f"{sources} {seconds:.0f}")
+    return seconds
+
+
+def rooms_with_tests(preset, leaving):
+    listed = subprocess.run(["ctest", "--test-dir", ROOT / "build" / preset, "--show-only=json-v1", "-E", leaving], capture_output=True, text=True, check=True)
+    return sorted({test["name"].partition("/")[0] for test in json.loads(listed.stdout)["tests"]})
+
+
+def parts_of(step):
+    """(name, script) of each part, once the step's own script has run."""
+    if step.tests:
+        for room in rooms_with_tests(step.tests, step.leaving):
+            yield room, f"{step.environment} run_ctest {step.tests} -R '^{room}(/|$)' -E '{step.leaving}'"
+    if step.fuzzers:
+        for fuzzer in sorted(p.stem.removesuffix("_fuzz") for p in (ROOT / "tests/fuzz").glob("*_fuzz.cpp")):
+            known = f"../../tests/fuzz/corpus/{fuzzer}" if (ROOT / "tests/fuzz/corpus" / fuzzer).is_dir() else ""
+            yield fuzzer, (f"mkdir -p build/fuzz/corpus/fuzz_{fuzzer}; cd build/fuzz; tests/fuzz/fuzz_{fuzzer} -max_total_time={FUZZ_SECONDS} "
+                           f"-timeout=10 -rss_limit_mb=2048 corpus/fuzz_{fuzzer} {known}")
+
+
+def passes(name):
+    """Whether a step passes, now or before for the same sources. After a part that fails the others still run."""
+    step = STEPS[name]
+    sources = fingerprint(step.reads)
+    if stamped(name, sources) is not None:
+        print(f"== {name}: passed before, nothing changed", flush=True)
+        return True
+    print(f"== {name}", flush=True)
+    start = time.monotonic()
+    if run_steps(step.script) != 0:
+        print(f"== {name}: failed", flush=True)
         return False
-    record(step, time.monotonic() - start)
+    took = [time.monotonic() - start, *(passes_once(f"{name}-{part}", sources, script) for part, script in parts_of(step))]
+    if None in took:
+        print(f"== {name}: failed", flush=True)
+        return False
+    record(name, sum(took))
     STAMPS.mkdir(parents=True, exist_ok=True)
-    stamp.write_text(now)
+    (STAMPS / name).write_text(f"{sources} {sum(took):.0f}")
     return True
 
 
@@ -98,7 +163,12 @@ def run_sweeps(minutes):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
     limit = f" --minutes {minutes}" if minutes else ""
-    return run_steps(f"configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_WITH_CGAL=ON -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}{limit}") == 0
+    return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}{limit}") == 0
+
+
+def install(chosen):
+    wanted = " ".join(["libcgal-dev" if "sweeps" in chosen else "", *(STEPS[name].packages for name in STEPS if name in chosen)])
+    return run_steps(f"install_packages packages packages-test; install_named {wanted}") == 0
 
 
 def main():
@@ -106,9 +176,9 @@ def main():
     parser.add_argument("--only", nargs="+", choices=[*STEPS, "sweeps"], default=[*STEPS, "sweeps"])
     parser.add_argument("--minutes", type=float)
     options = parser.parse_args()
-    if run_steps("install_packages packages packages-test packages-all") != 0:
+    if not install(options.only):
         return 2
-    failed = [step for step in STEPS if step in options.only and not run_once(step)]
+    failed = [name for name in STEPS if name in options.only and not passes(name)]
     if "sweeps" in options.only and not run_sweeps(options.minutes):
         failed.append("sweeps")
     print(f"failed: {', '.join(failed)}" if failed else "all passed")

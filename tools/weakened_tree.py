@@ -15,10 +15,10 @@ import subprocess
 import zlib
 
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "apps", "cmake", "include", "src", "tests", "tools"]
-# One SIMD level is enough, as each has the same constants and takes as long to compile as all the rest of its file.
-OPTIONS = ["-DTOCCATA_BUILD_TESTS=ON", "-DTOCCATA_TEST_REPOSITORY=OFF", "-DTOCCATA_TEST_WITH_SWEEPS=OFF", "-DTOCCATA_TEST_WITH_CGAL=OFF",
-           "-DTOCCATA_TEST_OPTIONS=-O0", "-DTOCCATA_BUILD_COMMAND=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
-           "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC"]
+# Of a copy that is built to run some tests once: one SIMD level is enough, as each has the same lines and takes as long to
+# compile as all the rest of its file.
+QUICK_OPTIONS = ["-DTOCCATA_BUILD_TESTS=ON", "-DTOCCATA_TEST_REPOSITORY=OFF", "-DTOCCATA_TEST_WITH_SWEEPS=OFF", "-DTOCCATA_TEST_WITH_CGAL=OFF",
+                 "-DTOCCATA_TEST_OPTIONS=-O0", "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC"]
 HELPER_PATH = "src/core/proof_constants_weakened.hpp"
 HELPER = """#pragma once
 #include <array>
@@ -284,7 +284,7 @@ class Tree:
                 to.write_bytes(data)
         if not (self.build / "build.ninja").exists():
             launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-            subprocess.run(["cmake", "--preset", "release", *OPTIONS, *launcher], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(["cmake", "--preset", "release", *QUICK_OPTIONS, "-DTOCCATA_BUILD_COMMAND=OFF", *launcher], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
 
     def program(self, room):
         return self.build / f"tests/test_{room}"

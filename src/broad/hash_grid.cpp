@@ -11,11 +11,10 @@
 #include <fmt/format.h>
 
 #include "broad/box_sample.hpp"
-#include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
+#include "broad/large_boxes.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -32,12 +31,7 @@ class CellKeys {
     return {cell_of(point.x), cell_of(point.y), cell_of(point.z)};
   }
   [[nodiscard]] std::uint32_t key_of(const CellPlace& place) const {
-    std::uint64_t mixed = level_ * 0x9e3779b97f4a7c15ULL;
-    for (const std::int64_t cell : place) {
-      mixed = (mixed ^ static_cast<std::uint64_t>(cell)) * 0xbf58476d1ce4e5b9ULL;
-      mixed ^= mixed >> 29;
-    }
-    return static_cast<std::uint32_t>(mixed >> 16);
+    return static_cast<std::uint32_t>(key_of_cell(place, level_) >> 16);
   }
 
  private:
@@ -80,13 +74,13 @@ class HashGrid final : public PairFinder {
       found_[part].clear(now.wanted);
       compare_equal_keys(now.boxes, chunks.begin(part), chunks.end(part), found_[part]);
     });
-    compare_large(now.boxes);
+    large_.add_pairs(now.boxes, found_.front());
     return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));
   }
 
   [[nodiscard]] std::size_t bytes() const override {
-    std::size_t sum = (entries_.capacity() + sorted_.capacity()) * sizeof(entries_[0]) + levels_.capacity() +
-                      (large_.capacity() + ordinary_.capacity()) * sizeof(FlatBox) + tree_.bytes() + sweep_.bytes();
+    std::size_t sum =
+        (entries_.capacity() + sorted_.capacity()) * sizeof(entries_[0]) + levels_.capacity() + large_.bytes();
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
   }
@@ -155,11 +149,13 @@ class HashGrid final : public PairFinder {
     const FloatFrame frame(finite_bounds(boxes));
     entries_.clear();
     large_.clear();
-    ordinary_.clear();
     for (Index number = 0; number < boxes.size(); ++number) {
       if (is_empty(boxes[number])) continue;
       const FlatBox box = flat_box(frame, boxes[number], number);
-      (levels_[number] != large && enter(boxes[number], number) ? ordinary_ : large_).push_back(box);
+      if (levels_[number] != large && enter(boxes[number], number))
+        large_.add_ordinary(box);
+      else
+        large_.add_large(box);
     }
   }
 
@@ -208,22 +204,12 @@ class HashGrid final : public PairFinder {
     if (grid.key_of(grid.place_of(corner)) == one.key >> 1) pairs.add(one.place, other);
   }
 
-  void compare_large(std::span<const Aabb> boxes) {
-    if (large_.empty()) return;
-    sweep_.lay_out(large_, sweep_axis(large_));
-    sweep_.add_pairs(boxes, 0, large_.size(), found_.front());
-    tree_.build(ordinary_, PackingOrder::morton);
-    tree_.add_pairs_with(boxes.data(), large_, found_.front());
-  }
-
   Sizes sizes_;
   double side_;
   std::vector<CellKeys> grids_;
   std::vector<std::uint8_t> levels_;  ///< by number
   std::vector<Keyed<std::uint64_t>> entries_, sorted_;
-  std::vector<FlatBox> large_, ordinary_;
-  PackedBvh tree_;
-  BoxSweep sweep_;
+  LargeBoxes large_;
   std::vector<PairBuffer> found_{parts};
 };
 

@@ -10,11 +10,10 @@
 #include <fmt/format.h>
 
 #include "broad/box_sample.hpp"
-#include "broad/box_sweep.hpp"
 #include "broad/finders.hpp"
 #include "broad/key_sort.hpp"
+#include "broad/large_boxes.hpp"
 #include "broad/method_cells.hpp"
-#include "broad/packed_bvh.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -34,14 +33,13 @@ class LooseOctree final : public PairFinder {
       for (std::size_t i = chunks.begin(part); i < chunks.end(part); ++i)
         look_around(now.boxes, entries_[i].place, found_[part]);
     });
-    compare_large(now.boxes);
+    large_.add_pairs(now.boxes, found_.front());
     return sorted_pairs(found_, now.boxes.size(), now.threads, std::move(storage));
   }
 
   [[nodiscard]] std::size_t bytes() const override {
     std::size_t sum = (entries_.capacity() + sorted_.capacity()) * sizeof(entries_[0]) +
-                      table_.capacity() * sizeof(Node) + depths_.capacity() +
-                      (large_.capacity() + ordinary_.capacity()) * sizeof(FlatBox) + tree_.bytes() + sweep_.bytes();
+                      table_.capacity() * sizeof(Node) + depths_.capacity() + large_.bytes();
     for (const PairBuffer& found : found_) sum += found.bytes();
     return sum;
   }
@@ -86,12 +84,7 @@ class LooseOctree final : public PairFinder {
     return {cell_of(middle.x, level), cell_of(middle.y, level), cell_of(middle.z, level)};
   }
   static std::uint64_t key_of(const CellPlace& place, int level) {
-    std::uint64_t mixed = static_cast<std::uint64_t>(level + 1) * 0x9e3779b97f4a7c15ULL;
-    for (const std::int64_t cell : place) {
-      mixed = (mixed ^ static_cast<std::uint64_t>(cell)) * 0xbf58476d1ce4e5b9ULL;
-      mixed ^= mixed >> 29;
-    }
-    return mixed;
+    return key_of_cell(place, static_cast<std::uint64_t>(level + 1));
   }
 
   void place_all(std::span<const Aabb> boxes) {
@@ -102,7 +95,6 @@ class LooseOctree final : public PairFinder {
     is_used_ = {};
     entries_.clear();
     large_.clear();
-    ordinary_.clear();
     for (Index number = 0; number < boxes.size(); ++number) {
       const Aabb& box = boxes[number];
       if (is_empty(box)) continue;
@@ -111,10 +103,10 @@ class LooseOctree final : public PairFinder {
       const int level =
           longest <= std::numeric_limits<double>::max() ? std::ilogb(longest) + 1 - exponent_ : most_levels;
       if (level >= most_levels || std::ilogb(longest) > 1000) {
-        large_.push_back(flat_box(frame, box, number));
+        large_.add_large(flat_box(frame, box, number));
         continue;
       }
-      ordinary_.push_back(flat_box(frame, box, number));
+      large_.add_ordinary(flat_box(frame, box, number));
       depths_[number] = static_cast<std::uint8_t>(level);
       is_used_[static_cast<std::size_t>(level)] = true;
       entries_.push_back({key_of(place_of_middle(box, level), level), number});
@@ -171,22 +163,12 @@ class LooseOctree final : public PairFinder {
     }
   }
 
-  void compare_large(std::span<const Aabb> boxes) {
-    if (large_.empty()) return;
-    sweep_.lay_out(large_, sweep_axis(large_));
-    sweep_.add_pairs(boxes, 0, large_.size(), found_.front());
-    tree_.build(ordinary_, PackingOrder::morton);
-    tree_.add_pairs_with(boxes.data(), large_, found_.front());
-  }
-
   int exponent_ = 0;  ///< of the cells of level 0
   std::array<bool, most_levels> is_used_{};
   std::vector<std::uint8_t> depths_;  ///< levels by number
   std::vector<Keyed<std::uint64_t>> entries_, sorted_;
   std::vector<Node> table_;
-  std::vector<FlatBox> large_, ordinary_;
-  PackedBvh tree_;
-  BoxSweep sweep_;
+  LargeBoxes large_;
   std::vector<PairBuffer> found_{parts};
 };
 

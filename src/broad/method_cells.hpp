@@ -33,6 +33,15 @@ void add_rectangles(BroadPhaseCells& cells, std::span<const Aabb> boxes, std::si
 /// Which cell of a grid of cubes everywhere.
 using CellPlace = std::array<std::int64_t, 3>;
 [[nodiscard]] Aabb cube_of_cell(const CellPlace& place, double side);
+/// Scattered over all numbers, so that a table may take any bits of it; another one in each grid.
+[[nodiscard]] inline std::uint64_t key_of_cell(const CellPlace& place, std::uint64_t grid) {
+  std::uint64_t mixed = grid * 0x9e3779b97f4a7c15ULL;
+  for (const std::int64_t cell : place) {
+    mixed = (mixed ^ static_cast<std::uint64_t>(cell)) * 0xbf58476d1ce4e5b9ULL;
+    mixed ^= mixed >> 29;
+  }
+  return mixed;
+}
 
 /// The box of doubles that became these floats, but for their rounding.
 [[nodiscard]] Aabb box_of_floats(const FloatFrame& frame, const std::array<float, 3>& lower,

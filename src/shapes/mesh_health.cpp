@@ -5,7 +5,6 @@
 #include <numeric>
 #include <span>
 
-#include "shapes/point_numbers.hpp"
 #include "shapes/welded_mesh.hpp"
 #include "toccata/shapes/primitives.hpp"
 
@@ -145,12 +144,7 @@ bool all_balanced(Triangles triangles, std::size_t vertex_count) {
 
 /// The triangles with each vertex replaced by the first of those that have its coordinates.
 std::vector<std::array<Index, 3>> with_first_vertices(const TriangleMesh& mesh) {
-  const auto vertices = mesh.vertices();
-  const auto equal = [](const Vec3& a, const Vec3& b) { return a == b; };
-  PointNumbers numbers(vertices.size());
-  std::vector<Index> first(vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    first[v] = numbers.find_or_take(vertices[v], static_cast<Index>(v), vertices, equal);
+  const std::vector<Index> first = first_equal_vertices(mesh);
   std::vector<std::array<Index, 3>> triangles;
   triangles.reserve(mesh.triangles().size());
   for (const auto& [a, b, c] : mesh.triangles()) triangles.push_back({first[a], first[b], first[c]});

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
+#include "shapes/point_numbers.hpp"
 #include "shapes/union_find.hpp"
 
 namespace toccata {
@@ -37,23 +37,45 @@ std::vector<DirectedEdge> directed_edges(const WeldedTriangles& welded) {
 
 }  // namespace
 
+std::vector<Index> first_equal_vertices(const TriangleMesh& mesh) {
+  const auto vertices = mesh.vertices();
+  const auto equal = [](const Vec3& a, const Vec3& b) { return a == b; };
+  PointNumbers numbers(vertices.size());
+  std::vector<Index> first(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    first[v] = numbers.find_or_take(vertices[v], static_cast<Index>(v), vertices, equal);
+  return first;
+}
+
 WeldedTriangles weld(const TriangleMesh& mesh) {
   const auto vertices = mesh.vertices();
-  std::vector<Index> order(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(),
+  std::vector<Index> number = first_equal_vertices(mesh), distinct;
+  for (Index v = 0; v < number.size(); ++v)
+    if (number[v] == v) distinct.push_back(v);
+  std::sort(distinct.begin(), distinct.end(),
             [&](Index i, Index j) { return lexicographically_less(vertices[i], vertices[j]); });
-  std::vector<Index> distinct(vertices.size());
-  Index count = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k > 0 && vertices[order[k]] != vertices[order[k - 1]]) ++count;
-    distinct[order[k]] = count;
-  }
+  std::vector<Index> place(vertices.size());
+  for (Index k = 0; k < distinct.size(); ++k) place[distinct[k]] = k;
+  for (Index& n : number) n = place[n];
   WeldedTriangles welded;
-  welded.distinct_vertices = vertices.empty() ? 0 : std::size_t{count} + 1;
+  welded.distinct_vertices = distinct.size();
   welded.triangles.reserve(mesh.triangles().size());
-  for (const auto& [a, b, c] : mesh.triangles()) welded.triangles.push_back({distinct[a], distinct[b], distinct[c]});
+  for (const auto& [a, b, c] : mesh.triangles()) welded.triangles.push_back({number[a], number[b], number[c]});
   return welded;
+}
+
+std::vector<WeldedEdge> edges_of_triangles(const WeldedTriangles& welded) {
+  std::vector<WeldedEdge> edges;
+  edges.reserve(3 * welded.triangles.size());
+  for (Index t = 0; t < welded.triangles.size(); ++t)
+    for (Index corner = 0; corner < 3; ++corner) {
+      const Index from = welded.triangles[t][corner], to = welded.triangles[t][(corner + 1) % 3];
+      edges.push_back({std::min(from, to), std::max(from, to), t, corner, from < to});
+    }
+  std::sort(edges.begin(), edges.end(), [](const WeldedEdge& a, const WeldedEdge& b) {
+    return std::tie(a.low, a.high, a.triangle, a.corner) < std::tie(b.low, b.high, b.triangle, b.corner);
+  });
+  return edges;
 }
 
 MeshParts connected_parts(const WeldedTriangles& welded) {

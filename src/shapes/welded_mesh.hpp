@@ -17,6 +17,21 @@ struct WeldedTriangles {
 
 [[nodiscard]] WeldedTriangles weld(const TriangleMesh& mesh);
 
+/// Of each vertex the first that has its coordinates.
+[[nodiscard]] std::vector<Index> first_equal_vertices(const TriangleMesh& mesh);
+
+/// An edge of a triangle of a welded mesh, from its corner of that number to the next.
+struct WeldedEdge {
+  Index low = 0;   ///< the lesser vertex
+  Index high = 0;  ///< the greater; equal where two corners of the triangle are
+  Index triangle = 0;
+  Index corner = 0;
+  bool upward = false;  ///< from low to high
+};
+
+/// All of them, ascending by (low, high, triangle, corner).
+[[nodiscard]] std::vector<WeldedEdge> edges_of_triangles(const WeldedTriangles& welded);
+
 /// The triangles that are connected through vertices.
 [[nodiscard]] MeshParts connected_parts(const WeldedTriangles& welded);
 

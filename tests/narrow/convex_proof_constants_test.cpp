@@ -111,6 +111,14 @@ TEST(ConvexProofConstants, TheDepthOfBoxesAlongNearlyParallelEdgesIsRounded) {
   EXPECT_LE(depth.compare(exact(found->upper)), 0);
 }
 
+// Each end of both edges lies beside by a rounding, and so an edge by two along each axis.
+TEST(ConvexProofConstants, AnEdgeThatSeemsAPointAlongAnotherHasALength) {
+  const Vec3 edge{1, 0, 0}, beside{0, 0x1p-52, 0x1p-52};
+  const auto e = exact(edge) - exact(beside), f = exact(edge) + exact(beside);
+  const auto across = oracle::cross(e, f);
+  EXPECT_GE(square_of_length(exact(greatest_image(edge, edge, 1, 0))) * oracle::dot(e, e), oracle::dot(across, across));
+}
+
 // The motion is so long beside the triangle that its time is certain, but the normal needs more digits.
 TEST(ConvexProofConstants, TheNormalOfASliverIsNotMadeInDoubles) {
   const PreparedRay ray({-0x1.739a054a7cb1fp+0, -0x1.d1d6f4a8c29e4p-1, -0x1.3dfefb4743d6ep-3},

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "narrow/quadrics/depth/quadric_expansion.hpp"
 #include "narrow/quadrics/distance/axial_box.hpp"
+#include "narrow/quadrics/distance/axial_proof.hpp"
 #include "narrow/quadrics/distance/ellipsoid_pair.hpp"
 #include "narrow/quadrics/distance/fast_proof.hpp"
 #include "narrow/quadrics/distance/fast_refinement.hpp"
@@ -250,6 +252,72 @@ TEST(QuadricProofConstants, ADistanceOfASmallCylinderAndABoxIsRoundedBothWays) {
                                    {0x1.013099a0e2b83p+0, 0x1.0946cefa1baaap+0, 0x1.0914fbaa1c944p+0},
                                    {0x1.ed352747ba49fp-54, 0x1.ed12407bacd14p-54, 0x1.e19772d60a485p-54}};
   EXPECT_LE(square_of(exact(more.distance().lower)), oracle::dot(more.way(), more.way()));
+}
+
+// --- Statements that those intervals rest on, which what else is added to them would hide.
+
+// How wide the cone is at the point, the direction and its length are all rounded outwards.
+TEST(QuadricProofConstants, APointOfARoundSideIsDrawnInAsFarAsItMayBeRoundedOutwards) {
+  const Vec3 half{0x1.fa477a996ef99p-1, 0x1.fa477a996ef99p-1, 0x1.b1f15cff67c8ep-1};
+  const AxialFoot foot{.out = 2, .up = 0x1.44aa50b29c5b9p-2};
+  const Vec3 p = drawn_in_foot<ConeKind>(half, foot, -0x1.02835cb6c62p-1, -0x1.b9f1cc24731d1p-1);
+  const oracle::Rational wide = exact(half.x) * (exact(half.z) - exact(p.z)) / (2 * exact(half.z));
+  EXPECT_LE(square_of(exact(p.x)) + square_of(exact(p.y)), wide * wide);
+}
+
+TEST(QuadricProofConstants, APointOfAnEllipsoidIsDrawnInAsFarAsItMayBeRoundedOutwards) {
+  const Vec3 half{0x1.7e4e02e5abcecp-1, 0x1.ea161f0fbbcb8p-1, 0x1.37aa255d2e1e9p-1};
+  const Vec3 along{0x1.3239055151077p-1, 0x1.fdd4aba2c958fp-1, 0x1.ab2b81e3560f7p-1};
+  const Vec3 round = drawn_into_ball(along, plain_length(along));
+  oracle::Rational squared;
+  for (int i = 0; i < 3; ++i) squared += square_of(exact(half[i] * round[i]) / exact(half[i]));
+  EXPECT_LE(squared, 1);
+}
+
+// A flat cylinder and a point of its lower rim, against a direction in which that is the nearest. The pose is none, so
+// that the products with its columns are the direction.
+TEST(QuadricProofConstants, WhatACylinderReachesBeyondAPointOfItsRimIsRounded) {
+  const double r = 0x1.e7fc5a1a4836cp-1, h = 0x1.2e9ee2b50175cp-4;
+  const Vec3 n{0x1.04731224609a4p-1, -0x1.dccfb6a1c8015p-1, -0x1.c7812781fe2a7p-6};
+  const Vec3 p{0x1.d3dbe586eced7p-2, -0x1.ac42b293a9ca5p-1, -h};
+  const oracle::Rational across = root_from_above(square_of(exact(n.x)) + square_of(exact(n.y)));
+  const oracle::Rational reach = exact(r) * across + exact(h) * exact(-n.z) + oracle::dot(exact(n), exact(p));
+  // The root is too large by less than a part of 2^-100.
+  const oracle::Rational beyond = exact(beyond_axial<CylinderKind>({r, r, h}, p, n)) + exact(0x1p-99);
+  const oracle::Rational length = root_from_above(oracle::dot(exact(n), exact(n)));
+  EXPECT_GE(beyond + exact(rounding_beyond(r, h, 0, true)) * length, reach);
+}
+
+/// A body that is a point, each of whose coordinates is a number and a little more.
+QuadricBody body_at(const Vec3& point, const Vec3& more) {
+  BoundedVector sum;
+  for (int i = 0; i < 3; ++i) sum[static_cast<std::size_t>(i)] = exactly(point[i]) + exactly(more[i]);
+  return QuadricBody(sum);
+}
+
+// Of A − B, a point that is (-s, -s, 2^-20) and in doubles (0, 0, 2^-20), along the directions around the third axis.
+TEST(QuadricProofConstants, WhereTheHighestPointOfACapLiesIsRounded) {
+  const double height = 0x1p-20, tangent = 0x1p-13, least = height * (1 - 0x1p-27), s = 0x1.74p-53;
+  const QuadricBody a = body_at({1, 1, 1 + height}, {-0x1.fp-55, -0x1.fp-55, 0});
+  const QuadricBody b = body_at({1, 1, 1}, {0x1.fp-54, 0x1.fp-54, 0});
+  ASSERT_EQ(a.plain_centre(0) - b.plain_centre(0), (Vec3{0, 0, height}));
+  const std::array<GeneratorPair, 1> pair{};
+  const double proved = QuadricCap(a, b, {0, 0, 1}, pair).proved_height(tangent, least);
+  ASSERT_GT(proved, 0);
+  // At the rim, farthest from the point.
+  const double x = 0x1.6a09e667f3bccp-1 * tangent;
+  const oracle::RationalPoint rim = exact(Vec3{x, x, 1});
+  ASSERT_LE(2 * x * x, tangent * tangent);
+  const oracle::Rational reach = oracle::dot(rim, exact(Vec3{-s, -s, height}));
+  EXPECT_LE(square_of(exact(std::fmin(proved, least))) * oracle::dot(rim, rim), reach * reach);
+}
+
+// The axis is longer than 1 by a rounding, and the quotient, its square and the root are rounded down.
+TEST(QuadricProofConstants, TheCapOfARaisedCornerIsAsWideAsItsAxisIsLong) {
+  const auto axis = exact(Vec3{-0x1.4ca6c709d63edp-1, -0x1.d505fc69827a7p-2, 0x1.36a163c1dda62p-1});
+  const double times = 0x1.8ff69fd0f2103p-1, least = 0x1.8ff682fef3b58p-1;
+  EXPECT_GE((1 + square_of(exact(tangent_of_raised(times, least)))) * square_of(exact(least)),
+            square_of(exact(times)) * oracle::dot(axis, axis));
 }
 
 // --- Where the line between the middles tells, or the middles' plane does.

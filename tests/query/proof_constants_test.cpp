@@ -8,6 +8,7 @@
 
 #include "narrow/near.hpp"
 #include "oracle/rational.hpp"
+#include "query/contacts/depth_cell.hpp"
 #include "query/decomposition/cut_plane.hpp"
 #include "query/decomposition/exact_polygon.hpp"
 #include "query/decomposition/outermost_corners.hpp"
@@ -51,6 +52,29 @@ TEST(ProofConstants, TheWorldBoxOfABallIsNotSmallerThanTheBall) {
   const PosedPolytope ball(Sphere(0x1p-60), {{}, {1, 1, 1}});
   EXPECT_GE(exact(world_box(ball).upper.x), exact(1) + exact(0x1p-60));
   EXPECT_LE(exact(world_box(ball).lower.x), exact(1) - exact(0x1p-60));
+}
+
+// The top of the solid is at the height 1, and the lower corners of the cell are 3 · 2^-54 farther below it than 1.5,
+// which is what the differences of the coordinates round to.
+TEST(ProofConstants, ACellsBoundsOfDistancesCoverTheirRounding) {
+  const Model solid(box_mesh({3, 3, 2}, {0, 0, -1}));
+  const PosedMesh mesh(solid, {});
+  const DepthSide side(solid, {}, mesh, 1);
+  const double half_height = 0.5 + 0x1p-53;
+  DepthCell cell{
+      .middle = {0, 0, -0x1p-54}, .corners = {}, .radius = 0.75, .axes = {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (unsigned i = 0; i < 8; ++i)
+    cell.corners[i] = {(i & 1) != 0 ? 0.25 : -0.25, (i & 2) != 0 ? 0.25 : -0.25,
+                       (i & 4) != 0 ? half_height : -half_height};
+  SearchScratch scratch;
+  const DepthSide::Place middle = side.at(cell.middle, scratch);
+  const double slack = depth_slack * 3;
+  DistanceBounds bounds = bounds_by_distance(side, middle, cell, slack);
+  add_bound_by_height(side, middle, cell, {0, 0, 1}, slack, bounds);
+  ASSERT_EQ(bounds.count, 2U);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const std::size_t bound : {0U, 1U})
+      EXPECT_GE(exact(bounds.at_corners[bound][k]), exact(1.5) + 3 * exact(0x1p-54)) << bound;
 }
 
 TEST(ProofConstants, TheSideOfACuttingPlaneIsExact) {

@@ -1,8 +1,5 @@
 #include "methods/bsp/bsp_windings.hpp"
 
-#include <algorithm>
-#include <tuple>
-
 #include "math/exact.hpp"
 #include "query/inside/inside_winding.hpp"
 #include "query/meshes/posed_mesh.hpp"
@@ -12,36 +9,14 @@
 namespace toccata {
 namespace {
 
-/// An edge of a triangle, by its vertices in ascending order.
-struct TriangleEdge {
-  Index low = 0;
-  Index high = 0;
-  Index triangle = 0;
-
-  [[nodiscard]] bool is_along(const TriangleEdge& other) const { return low == other.low && high == other.high; }
-};
-
-std::vector<TriangleEdge> sorted_edges(const WeldedTriangles& welded) {
-  std::vector<TriangleEdge> edges;
-  for (Index t = 0; t < welded.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(welded.triangles[t][i], welded.triangles[t][(i + 1) % 3]);
-      edges.push_back({low, high, t});
-    }
-  std::sort(edges.begin(), edges.end(), [](const TriangleEdge& a, const TriangleEdge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return edges;
-}
-
 /// The triangles that hang together by edges of exactly two. In front of both it is the same space: near the edge there
 /// is nothing else, and in a closed mesh the two run along it in opposite directions.
 UnionFind united_across_edges(const TriangleMesh& mesh) {
-  const std::vector<TriangleEdge> edges = sorted_edges(weld(mesh));
+  const std::vector<WeldedEdge> edges = edges_of_triangles(weld(mesh));
   UnionFind sheets(mesh.triangle_count());
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
-    while (end < edges.size() && edges[end].is_along(edges[begin])) ++end;
+    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) ++end;
     if (end - begin == 2) sheets.unite(edges[begin].triangle, edges[begin + 1].triangle);
     begin = end;
   }

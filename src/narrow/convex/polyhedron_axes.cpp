@@ -73,6 +73,13 @@ bool may_cross(const Edge& e, const Vec3& along_e, const Edge& f, const Vec3& al
 
 }  // namespace
 
+// An end of f is off by what it is itself, and by what the direction of e is off by; no image is longer than f. In this
+// order, where the length of e underflows nothing is known of the angle.
+double greatest_image(const Vec3& e, const Vec3& f, double extent, double bent) {
+  const double beside = 0x1p-48 * extent + 4 * bent, size_f = sum_of_magnitudes(f);
+  return std::min(size_f, (plain_length(cross(e, f)) + beside * size_f) / plain_length(e)) + beside;
+}
+
 PolyhedronAxes::PolyhedronAxes(const PosedPolytope& a, const PosedPolytope& b)
     : body_(a, b), a_(outline_of(a, body_.a())), b_(outline_of(b, body_.b())), bent_(a_.bent + b_.bent) {}
 
@@ -142,11 +149,7 @@ bool PolyhedronAxes::try_faces(const Outline& outline, double turn) {
 
 bool PolyhedronAxes::try_edge_pair(const Edge& e, const Edge& f, double& loss) {
   const Vec3 n = cross(e.along, f.along);
-  const double length = plain_length(n), length_e = plain_length(e.along);
-  const double size_f = sum_of_magnitudes(f.along), beside = 0x1p-48 * body_.extent() + 4 * bent_;
-  // An end of f is off by what it is itself, and by what the direction of e is off by; no image is longer than f. In
-  // this order, where the length of e underflows nothing is known of the angle.
-  const double image = std::min(size_f, (length + beside * size_f) / length_e) + beside;
+  const double length = plain_length(n), image = greatest_image(e.along, f.along, body_.extent(), bent_);
   const double angle = length > 0 ? angle_error(e.along, f.along, length) : infinity;
   if (!(2 * angle * body_.extent() > image)) {
     const double side = dot(n, e.left + e.right);

@@ -6,6 +6,10 @@
 
 namespace toccata {
 
+/// How long an edge f of a polyhedron is at most, seen along an edge e of another, where both are differences of
+/// rounded vertices; the difference body is of that extent, and its vertices are bent by so much.
+[[nodiscard]] double greatest_image(const Vec3& e, const Vec3& f, double extent, double bent);
+
 /// The axes along which two polyhedra can be separated, all of them, in doubles and with bounds on the errors. Lengths
 /// are those of the difference body.
 class PolyhedronAxes {

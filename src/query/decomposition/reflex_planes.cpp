@@ -49,26 +49,12 @@ class EdgeReader {
 
 /// Edges of two triangles that run along it against each other.
 std::vector<SharedEdge> shared_edges(const TriangleMesh& mesh) {
-  const WeldedTriangles welded = weld(mesh);
-  struct Use {
-    Index low, high, triangle, from;
-    bool upward;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * welded.triangles.size());
-  for (Index t = 0; t < welded.triangles.size(); ++t)
-    for (Index i = 0; i < 3; ++i) {
-      const Index p = welded.triangles[t][i], q = welded.triangles[t][(i + 1) % 3];
-      if (p != q) uses.push_back({std::min(p, q), std::max(p, q), t, i, p < q});
-    }
-  std::ranges::sort(uses, [](const Use& a, const Use& b) {
-    return std::tie(a.low, a.high, a.triangle, a.from) < std::tie(b.low, b.high, b.triangle, b.from);
-  });
+  const std::vector<WeldedEdge> uses = edges_of_triangles(weld(mesh));
   std::vector<SharedEdge> edges;
   for (std::size_t i = 0; i + 1 < uses.size(); ++i) {
-    const Use &a = uses[i], &b = uses[i + 1];
+    const WeldedEdge &a = uses[i], &b = uses[i + 1];
     if (a.low == b.low && a.high == b.high && a.upward != b.upward)
-      edges.push_back({a.triangle, b.triangle, a.from, (b.from + 2) % 3, 0});
+      edges.push_back({a.triangle, b.triangle, a.corner, (b.corner + 2) % 3, 0});
   }
   return edges;
 }

@@ -286,9 +286,8 @@ bool QuadricExpansion::lower_caps(double least) {
   bool all_hold = true;
   for (Corner& c : corner_) {
     if (!(c.tangent > 0)) continue;
-    const double ratio = c.times / least * (1 + 0x1p-48), tangent = std::sqrt(std::fmax(ratio * ratio - 1, 0));
-    if (QuadricCap(a_, b_, c.axis, {c.generators.data(), c.generator_count}).proved_height(tangent, least) >= least)
-      continue;
+    QuadricCap cap(a_, b_, c.axis, {c.generators.data(), c.generator_count});
+    if (cap.proved_height(tangent_of_raised(c.times, least), least) >= least) continue;
     c.tangent = 0;
     all_hold = false;
   }

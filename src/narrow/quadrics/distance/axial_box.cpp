@@ -6,6 +6,7 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/pose_checks.hpp"
+#include "narrow/quadrics/distance/axial_proof.hpp"
 #include "narrow/quadrics/kinds/quadric_kind.hpp"
 
 // The square of the distance of the round shape A from the point C + Σ s_j b_j of the box is convex in s, and half of
@@ -19,10 +20,6 @@ namespace {
 constexpr int most_axial_steps = 16;
 /// What is left after a step that is smaller than this part of the shapes is about its square.
 constexpr double small_step = 0x1p-24;
-/// Points of round sides are drawn in by this part, so that they are of the shape whatever was rounded: t (3 − t²) / 2
-/// is no more than 1, and off by 3 u for t, 4 u for the factors, and u for the point; towards a tip, how wide it is by
-/// 3 u.
-constexpr double axial_drawn_in = 13 * unit_roundoff;
 /// As far as the guess goes, both poses are rotations.
 constexpr double largest_skew_of_rotations = 0x1p-42;
 
@@ -174,16 +171,7 @@ class AxialBox {
 template <AxialKind Kind>
 Vec3 AxialBox<Kind>::local_point() const {
   const Mat3& m = a_.pose().linear;
-  const Vec3& half = a_.half();
-  const double reach = Kind::radius_at(half, foot_.up);
-  if (!(reach > 0)) return {0, 0, foot_.up};
-  // Next to a tip both are hardly more than rounding.
-  const double part = std::min(foot_.out / reach, 1.0);
-  const Vec3 v{part * dot(m.column(0), radial_), part * dot(m.column(1), radial_), 0};
-  // No more than the quotient by the length, for no length.
-  const double squared = dot(v, v), less = squared > 1 - 0x1p-30 ? 1.5 - 0.5 * squared : 1;
-  const double drawn = (1 - axial_drawn_in) * less * reach;
-  return {drawn * v.x, drawn * v.y, foot_.up};
+  return drawn_in_foot<Kind>(a_.half(), foot_, dot(m.column(0), radial_), dot(m.column(1), radial_));
 }
 
 template <AxialKind Kind>
@@ -234,13 +222,6 @@ double beyond_corner(const PosedPolytope& box, const Vec3& corner, const Vec3& d
   return std::max({higher(0, 1), higher(2, 3), higher(4, 5), higher(6, 7)});
 }
 
-/// What A reaches beyond one of its points p, against a direction whose products with the columns of its pose are n.
-template <AxialKind Kind>
-double beyond_axial(const Vec3& half, const Vec3& p, const Vec3& n) {
-  const double round = n.x * p.x + n.y * p.y, rim = half.x * std::sqrt(n.x * n.x + n.y * n.y) + round;
-  return Kind::beyond(half, rim, round, n.z, p.z);
-}
-
 // With r and h the radius and half height, e the length of the box's half extents, d = z, the difference of the points
 // as computed, and L its length: an operation rounds by at most u = 2⁻⁵³ of its result, a product of three terms by 3 u
 // times that of the magnitudes, a length by 2.5 u; and rotations, but for 2⁻⁴², change no length.
@@ -248,11 +229,7 @@ double beyond_axial(const Vec3& half, const Vec3& p, const Vec3& n) {
 // z: the point p turned, |p| ≤ P = √(r² + h²), 3 √3 u P; its sum with what is between, which is at most L + P + 2.1 e,
 // twice u; the steps, 3 u e each for their differences, products and sum, at most e; u L at the end. In all
 // u (8.2 P + 6.2 e + 3 L), P ≤ r + h being of no use.
-// n: 3 u L each, so 4.3 u L of the first two. Of A: the rim 4.3 r for each of two uses of n, 3.5 + 2 of the length and
-// the product, 2 of the sum; of the axis 3 · 2 h, 4 h of the differences and products, 2 h and 2 r of sums: in all
-// u L (18.1 r + 12.1 h), the cylinder less.
-// Of the box: 4 u for each height, of corners no farther than 2.1 e: u L 8.4 e; where there are steps, their 3 u e,
-// 3 u for their product, and 3 u e of the difference: u L 9.1 e more.
+// What both reach beyond these points is off by `rounding_beyond`.
 template <AxialKind Kind>
 std::optional<FastDistance> AxialBox<Kind>::proved() const {
   const Vec3 p = local_point();
@@ -269,7 +246,7 @@ std::optional<FastDistance> AxialBox<Kind>::proved() const {
 
   const double r = a_.half().x, h = a_.half().z, e = plain_length(half_) + b_.as_box().slack;
   const double off = unit_roundoff * (9.3 * std::sqrt(r * r + h * h) + 7 * e + 3.5 * length);
-  const double off_beyond = unit_roundoff * ((20.5 * r + 13.7 * h) + (on_b.is_corner ? 9.5 : 20) * e);
+  const double off_beyond = rounding_beyond(r, h, e, on_b.is_corner);
   FastDistance found;
   // 2.5 u of the length, 2 u of the operations.
   found.upper = (length + off) * (1 + 6 * unit_roundoff);

@@ -22,8 +22,6 @@ constexpr double blind_part = 0.1;
 constexpr double small_turn_squared = 0x1p-46;
 /// Of half axes: that the squares of S do not hide the shorter ones.
 constexpr double most_slim = 64;
-/// The points are drawn in by this part, as in fast_proof.cpp.
-constexpr double ellipsoid_drawn_in = 10 * unit_roundoff;
 
 /// By its upper half.
 struct EllipsoidMatrix {
@@ -106,7 +104,7 @@ struct FarthestPoint {
     const Vec3 along{half.x * dot(m.column(0), direction), half.y * dot(m.column(1), direction),
                      half.z * dot(m.column(2), direction)};
     height = plain_length(along);
-    round = ((1 - ellipsoid_drawn_in) / height) * along;
+    round = drawn_into_ball(along, height);
     const Vec3 p{half.x * round.x, half.y * round.y, half.z * round.z};
     from_middle = {dot(m[0], p), dot(m[1], p), dot(m[2], p)};
     size = plain_length(half);

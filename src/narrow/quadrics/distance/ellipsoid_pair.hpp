@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "math/constants.hpp"
 #include "narrow/quadrics/distance/fast_proof.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
@@ -16,5 +17,14 @@ namespace toccata {
 /// Of such a pair, apart or contact where that is certain: by the first direction on that way across which they are
 /// apart, or where the line between the middles leaves neither before it enters the other.
 [[nodiscard]] std::optional<QuadricContact> ellipsoid_contact(const PosedQuadric& a, const PosedQuadric& b);
+
+/// Points are drawn in by this part, as in fast_proof.cpp.
+inline constexpr double ellipsoid_drawn_in = 10 * unit_roundoff;
+
+/// A point of the unit ball towards v, whose rounded length this is. Its coordinates, each multiplied by a half axis
+/// and rounded, are a point of the ellipsoid.
+[[nodiscard]] inline Vec3 drawn_into_ball(const Vec3& v, double length) {
+  return ((1 - ellipsoid_drawn_in) / length) * v;
+}
 
 }  // namespace toccata
