@@ -1,0 +1,125 @@
+#include "robots/placed_robot.hpp"
+
+#include <algorithm>
+
+#include "query/part_questions.hpp"
+#include "query/search_scratch.hpp"
+
+namespace toccata {
+
+PlacedRobot::PlacedRobot(const RobotScene::Made& scene) : scene_(scene) {
+  const std::size_t count = scene.robot.bodies().size();
+  boxes_.resize(count);
+  posed_.resize(count);
+  is_posed_.resize(count);
+}
+
+void PlacedRobot::place(std::span<const double> configuration) {
+  const Robot::Tree& tree = scene_.robot.tree();
+  place_frames(tree, configuration, frames_);
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    const Robot::Body& body = tree.bodies[i];
+    boxes_[i] = turned_box(scene_.body_boxes[i], frames_[tree.frame_of_link[body.link]] * body.pose);
+    is_posed_[i] = 0;
+  }
+}
+
+std::span<const PosedPart> PlacedRobot::posed(Index number) {
+  PosedModel& posed = posed_[number];
+  if (is_posed_[number] == 0) {
+    const Robot::Tree& tree = scene_.robot.tree();
+    const Robot::Body& body = tree.bodies[number];
+    const Pose pose = frames_[tree.frame_of_link[body.link]] * body.pose;
+    posed = pose_model(body.model, pose, body.solid, body.name, std::move(posed.parts));
+    is_posed_[number] = 1;
+  }
+  return posed.parts;
+}
+
+std::span<const PosedPart> PlacedRobot::posed_other(const BodyPair& pair) {
+  return pair.with_part ? std::span(scene_.parts).subspan(pair.other, 1) : posed(pair.other);
+}
+
+bool PlacedRobot::overlap(const BodyPair& pair) {
+  const std::span<const PosedPart> parts_a = posed(pair.body), parts_b = posed_other(pair);
+  for (const PosedPart& a : parts_a)
+    for (const PosedPart& b : parts_b) {
+      workspace_.scratch().convex = {};  // it was another pair's
+      if (parts_overlap(a, b, workspace_.scratch())) return true;
+    }
+  return false;
+}
+
+std::optional<Nearby> PlacedRobot::nearby(const BodyPair& pair, const WantedDistance& wanted) {
+  const std::span<const PosedPart> parts_a = posed(pair.body), parts_b = posed_other(pair);
+  std::optional<Nearby> nearest;
+  for (const PosedPart& a : parts_a)
+    for (const PosedPart& b : parts_b) {
+      workspace_.scratch().convex = {};
+      const std::optional<Nearby> near = toccata::nearby(a, b, wanted, workspace_.scratch());
+      if (!near) continue;
+      const double lower = nearest ? std::min(nearest->distance.lower, near->distance.lower) : near->distance.lower;
+      const bool is_within = near->is_within || (nearest && nearest->is_within);
+      if (!nearest || near->distance.upper < nearest->distance.upper) nearest = near;
+      nearest->distance.lower = lower;
+      nearest->is_within = is_within;
+    }
+  return nearest;
+}
+
+bool PlacedRobot::found(const BodyPair& pair) {
+  if (certainly_apart(pair, 0) || !overlap(pair)) return false;
+  met_last_ = pair;
+  return true;
+}
+
+bool PlacedRobot::body_meets_obstacle(Index body) {
+  bool meets = false;
+  scene_.part_tree.visit_overlapping(box_around(boxes_[body]), [&](Index part) {
+    meets = !scene_.is_allowed(body, part) && found({body, true, part});
+    return !meets;
+  });
+  return meets;
+}
+
+bool PlacedRobot::meets() {
+  if (!scene_.contacts_at_rest.empty()) return true;
+  if (met_last_ && found(*met_last_)) return true;
+  for (std::size_t i = boxes_.size(); i-- > 0;)  // those far out move most, and meet most
+    if (scene_.body_rests[i] == 0 && body_meets_obstacle(static_cast<Index>(i))) return true;
+  return std::ranges::any_of(scene_.self_pairs, [&](const SelfPair& self) { return found(self.pair); });
+}
+
+std::vector<RobotContact> PlacedRobot::contacts(ContactsTold told) {
+  struct Candidate {
+    RobotContact contact;
+    BodyPair pair;
+  };
+  std::vector<Candidate> candidates;
+  const auto add = [&](const BodyPair& pair) {
+    if (!certainly_apart(pair, 0)) candidates.push_back({scene_.contact_of(pair), pair});
+  };
+  for (const SelfPair& self : scene_.self_pairs) add(self.pair);
+  for (Index body = 0; body < boxes_.size(); ++body) {
+    if (scene_.body_rests[body] != 0) continue;
+    scene_.part_tree.visit_overlapping(box_around(boxes_[body]), [&](Index part) {
+      if (!scene_.is_allowed(body, part)) add({body, true, part});
+      return true;
+    });
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& x, const Candidate& y) { return x.contact < y.contact; });
+  std::vector<RobotContact> contacts(scene_.contacts_at_rest);
+  for (const Candidate& candidate : candidates) {
+    const bool is_known = !contacts.empty() && contacts.back() == candidate.contact;
+    const bool is_later = told == ContactsTold::first && !contacts.empty() && contacts.front() < candidate.contact;
+    if (is_later) break;
+    if (!is_known && overlap(candidate.pair)) contacts.push_back(candidate.contact);
+  }
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  if (told == ContactsTold::first && contacts.size() > 1) contacts.resize(1);
+  return contacts;
+}
+
+}  // namespace toccata

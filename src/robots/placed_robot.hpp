@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "narrow/near.hpp"
+#include "query/posed_shape.hpp"
+#include "robots/scene_made.hpp"
+#include "toccata/query/pair_query.hpp"
+
+namespace toccata {
+
+/// A robot at one configuration after the other, and what it meets there. It keeps memory and what met last, which save
+/// time and change no answer. One thread uses it at a time; the scene outlives it.
+class PlacedRobot {
+ public:
+  explicit PlacedRobot(const RobotScene::Made& scene);
+
+  /// From now on it is there.
+  void place(std::span<const double> configuration);
+
+  [[nodiscard]] const RobotScene::Made& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<Pose>& frames() const { return frames_; }
+  [[nodiscard]] const TurnedBox& box(Index body) const { return boxes_[body]; }
+  [[nodiscard]] const TurnedBox& box_of_other(const BodyPair& pair) const {
+    return pair.with_part ? scene_.part_boxes[pair.other] : boxes_[pair.other];
+  }
+  [[nodiscard]] bool certainly_apart(const BodyPair& pair, double by) const {
+    return toccata::certainly_apart(boxes_[pair.body], box_of_other(pair), by);
+  }
+
+  /// The two have a point in common.
+  [[nodiscard]] bool overlap(const BodyPair& pair);
+
+  /// How near they are: as the question of that name says.
+  [[nodiscard]] std::optional<Nearby> nearby(const BodyPair& pair, const WantedDistance& wanted);
+
+  /// Some pair has.
+  [[nodiscard]] bool meets();
+
+  /// The pairs that have, or the least, as links and obstacles.
+  [[nodiscard]] std::vector<RobotContact> contacts(ContactsTold told);
+
+ private:
+  [[nodiscard]] std::span<const PosedPart> posed(Index body);
+  [[nodiscard]] std::span<const PosedPart> posed_other(const BodyPair& pair);
+  [[nodiscard]] bool body_meets_obstacle(Index body);
+  [[nodiscard]] bool found(const BodyPair& pair);
+
+  const RobotScene::Made& scene_;
+  Workspace workspace_;
+  std::vector<Pose> frames_;
+  std::vector<TurnedBox> boxes_;
+  std::vector<PosedModel> posed_;
+  std::vector<std::uint8_t> is_posed_;
+  std::optional<BodyPair> met_last_;
+};
+
+}  // namespace toccata
