@@ -174,6 +174,12 @@ RobotScene::RobotScene(const Robot& robot, std::span<const SceneInstance> obstac
 const Robot& RobotScene::robot() const { return made_->robot; }
 std::span<const SceneInstance> RobotScene::obstacles() const { return made_->obstacles; }
 
+bool RobotScene::looks_at(const RobotContact& pair) const {
+  if (pair.with_obstacle) return made_->allowed_with_obstacle[pair.link * made_->obstacles.size() + pair.other] == 0;
+  return std::ranges::any_of(made_->self_pairs,
+                             [&](const SelfPair& self) { return made_->contact_of(self.pair) == pair; });
+}
+
 bool RobotScene::meets(std::span<const double> configuration) const {
   return of_configuration(*made_, configuration, [](PlacedRobot& placed) { return placed.meets(); });
 }

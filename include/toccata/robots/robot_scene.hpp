@@ -85,6 +85,8 @@ class RobotScene {
 
   [[nodiscard]] const Robot& robot() const;
   [[nodiscard]] std::span<const SceneInstance> obstacles() const;
+  /// Whether the two are looked at; of two links the lesser number is the first.
+  [[nodiscard]] bool looks_at(const RobotContact& pair) const;
 
   /// Does any pair that is looked at have a point in common?
   [[nodiscard]] bool meets(std::span<const double> configuration) const;
