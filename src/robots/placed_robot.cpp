@@ -6,12 +6,35 @@
 #include "query/search_scratch.hpp"
 
 namespace toccata {
+namespace {
+
+/// More than what doubles round of places and lengths, beside the slack of boxes.
+bool meets_ball(const Ball& a, const Ball& b) {
+  const Vec3 between = b.centre - a.centre;
+  const double reach = (a.radius + b.radius) * (1 - 0x1p-20);
+  return reach > 0 && dot(between, between) < reach * reach;
+}
+
+/// Of a box or a ball; of others nothing is told.
+bool meets_convex(const Ball& ball, const PosedPolytope& convex) {
+  if (convex.vertex_count() == 1) return meets_ball(ball, {convex.vertex(0), convex.radius()});
+  const RigidBox& box = convex.as_box();
+  if (!(box.slack < ball.radius) || !(box.skew < 0x1p-30)) return false;
+  const Vec3 from = transpose(convex.pose().linear) * (ball.centre - box.centre);
+  Vec3 nearest = from;
+  for (int axis = 0; axis < 3; ++axis)
+    nearest[axis] = std::clamp(from[axis], -box.half_extents[axis], box.half_extents[axis]);
+  return meets_ball({from, ball.radius - box.slack}, {nearest, 0});
+}
+
+}  // namespace
 
 PlacedRobot::PlacedRobot(const RobotScene::Made& scene) : scene_(scene) {
   const std::size_t count = scene.robot.bodies().size();
   boxes_.resize(count);
   posed_.resize(count);
   is_posed_.resize(count);
+  hulls_.resize(count);
 }
 
 void PlacedRobot::place(std::span<const double> configuration) {
@@ -19,8 +42,10 @@ void PlacedRobot::place(std::span<const double> configuration) {
   place_frames(tree, configuration, frames_);
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     const Robot::Body& body = tree.bodies[i];
-    boxes_[i] = turned_box(scene_.body_boxes[i], frames_[tree.frame_of_link[body.link]] * body.pose);
+    const Pose& link = frames_[tree.frame_of_link[body.link]];
+    boxes_[i] = turned_box(scene_.body_boxes[i], body.pose == Pose{} ? link : link * body.pose);
     is_posed_[i] = 0;
+    hulls_[i].reset();
   }
 }
 
@@ -38,6 +63,30 @@ std::span<const PosedPart> PlacedRobot::posed(Index number) {
 
 std::span<const PosedPart> PlacedRobot::posed_other(const BodyPair& pair) {
   return pair.with_part ? std::span(scene_.parts).subspan(pair.other, 1) : posed(pair.other);
+}
+
+const PosedPolytope* PlacedRobot::convex_around(Index number) {
+  if (const std::optional<ConvexHull>& hull = scene_.body_hulls[number]) {
+    const Robot::Tree& tree = scene_.robot.tree();
+    const Robot::Body& body = tree.bodies[number];
+    if (!hulls_[number]) hulls_[number].emplace(*hull, frames_[tree.frame_of_link[body.link]] * body.pose);
+    return &*hulls_[number];
+  }
+  const std::span<const PosedPart> parts = posed(number);
+  return parts.size() == 1 ? std::get_if<PosedPolytope>(&parts[0].shape) : nullptr;
+}
+
+double PlacedRobot::hull_gap(const BodyPair& pair, double enough, SimplexCache* kept) {
+  const bool other_is_mesh =
+      (pair.with_part ? scene_.part_hulls[pair.other] : scene_.body_hulls[pair.other]).has_value();
+  if (!scene_.body_hulls[pair.body] && !other_is_mesh) return 0;
+  const std::optional<PosedPolytope>* part = pair.with_part ? &scene_.part_convex[pair.other] : nullptr;
+  const PosedPolytope* other = part == nullptr ? convex_around(pair.other) : *part ? &**part : nullptr;
+  const PosedPolytope* body = other == nullptr ? nullptr : convex_around(pair.body);
+  if (body == nullptr) return 0;
+  // World vertices of a mesh are off from the hull of some of them by what they are rounded.
+  const double slack = boxes_[pair.body].slack + box_of_other(pair).slack;
+  return std::max(0.0, certain_gap(*body, *other, (enough + slack) * (1 + 0x1p-40), kept).length - slack);
 }
 
 bool PlacedRobot::overlap(const BodyPair& pair) {
@@ -67,8 +116,34 @@ std::optional<Nearby> PlacedRobot::nearby(const BodyPair& pair, const WantedDist
   return nearest;
 }
 
+bool PlacedRobot::certainly_meet(const BodyPair& pair) const {
+  const auto& bodies = scene_.robot.bodies();
+  const double slack = boxes_[pair.body].slack + box_of_other(pair).slack;
+  const auto frame_of = [&](Index body) -> const Pose& {
+    return frames_[scene_.robot.tree().frame_of_link[bodies[body].link]];
+  };
+  const Pose& pose = frame_of(pair.body);
+  const std::vector<Ball>& others = pair.with_part ? scene_.part_balls[pair.other] : scene_.body_balls[pair.other];
+  const PosedPolytope* convex = pair.with_part ? std::get_if<PosedPolytope>(&scene_.parts[pair.other].shape) : nullptr;
+  return std::ranges::any_of(scene_.body_balls[pair.body], [&](const Ball& ball) {
+    const Ball placed{transform(pose, ball.centre), ball.radius - slack};
+    if (convex != nullptr) return meets_convex(placed, *convex);
+    return std::ranges::any_of(others, [&](const Ball& other) {
+      return meets_ball(placed,
+                        pair.with_part ? other : Ball{transform(frame_of(pair.other), other.centre), other.radius});
+    });
+  });
+}
+
+bool PlacedRobot::are_met(const BodyPair& pair) {
+  if (certainly_apart(pair, 0)) return false;
+  return certainly_meet(pair) || (hull_gap(pair, 0) == 0 && overlap(pair));
+}
+
+bool PlacedRobot::are_met_within_hulls(const BodyPair& pair) { return certainly_meet(pair) || overlap(pair); }
+
 bool PlacedRobot::found(const BodyPair& pair) {
-  if (certainly_apart(pair, 0) || !overlap(pair)) return false;
+  if (!are_met(pair)) return false;
   met_last_ = pair;
   return true;
 }
@@ -114,7 +189,7 @@ std::vector<RobotContact> PlacedRobot::contacts(ContactsTold told) {
     const bool is_known = !contacts.empty() && contacts.back() == candidate.contact;
     const bool is_later = told == ContactsTold::first && !contacts.empty() && contacts.front() < candidate.contact;
     if (is_later) break;
-    if (!is_known && overlap(candidate.pair)) contacts.push_back(candidate.contact);
+    if (!is_known && are_met(candidate.pair)) contacts.push_back(candidate.contact);
   }
   std::sort(contacts.begin(), contacts.end());
   contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());

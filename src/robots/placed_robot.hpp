@@ -30,7 +30,19 @@ class PlacedRobot {
     return toccata::certainly_apart(boxes_[pair.body], box_of_other(pair), by);
   }
 
-  /// The two have a point in common.
+  /// Proved to be farther apart than the length that is told, by what is convex around the two: tighter than by boxes,
+  /// and slower. As long as is wanted or, where that is not found, what was; 0 where nothing is known, and where both
+  /// are convex themselves.
+  [[nodiscard]] double hull_gap(const BodyPair& pair, double enough, SimplexCache* kept = nullptr);
+
+  /// Proved by balls within the two to have a point in common. False says nothing.
+  [[nodiscard]] bool certainly_meet(const BodyPair& pair) const;
+
+  /// The two have a point in common: by what is certain in doubles, and else by `overlap`.
+  [[nodiscard]] bool are_met(const BodyPair& pair);
+  /// The same where nothing of their hulls need be asked.
+  [[nodiscard]] bool are_met_within_hulls(const BodyPair& pair);
+  /// The same by the exact question alone.
   [[nodiscard]] bool overlap(const BodyPair& pair);
 
   /// How near they are: as the question of that name says.
@@ -45,6 +57,7 @@ class PlacedRobot {
  private:
   [[nodiscard]] std::span<const PosedPart> posed(Index body);
   [[nodiscard]] std::span<const PosedPart> posed_other(const BodyPair& pair);
+  [[nodiscard]] const PosedPolytope* convex_around(Index body);
   [[nodiscard]] bool body_meets_obstacle(Index body);
   [[nodiscard]] bool found(const BodyPair& pair);
 
@@ -54,6 +67,7 @@ class PlacedRobot {
   std::vector<TurnedBox> boxes_;
   std::vector<PosedModel> posed_;
   std::vector<std::uint8_t> is_posed_;
+  std::vector<std::optional<PosedPolytope>> hulls_;  ///< of meshes, where they were needed
   std::optional<BodyPair> met_last_;
 };
 

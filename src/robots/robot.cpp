@@ -30,6 +30,25 @@ Mat3 turned_about(const Vec3& a, double radians) {
   return m;
 }
 
+/// linear · turned_about(axis, radians), to the bit but for signs of zeros, where the axis is a coordinate axis: what
+/// is multiplied by 0 and 1 there is not.
+Mat3 turned_about_coordinate_axis(const Mat3& linear, int axis, double radians) {
+  const auto [s, c] = sine_cosine_of_turns(turns_in_a_radian * radians);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  Mat3 m = linear;
+  for (Vec3& row : m.row) {
+    const double old_j = row[j], old_k = row[k];
+    row[j] = old_j * c + old_k * s;
+    row[k] = old_k * c - old_j * s;
+  }
+  return m;
+}
+
+/// pose · origin, to the bit but for signs of zeros.
+Pose shifted_by(const Pose& pose, const RobotFrame& frame) {
+  return frame.is_shifted_alone ? Pose{pose.linear, transform(pose, frame.origin.offset)} : pose * frame.origin;
+}
+
 template <class Named>
 Index number_of(std::span<const Named> all, std::string_view name, std::string_view noun) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
@@ -47,8 +66,10 @@ void place_frames(const Robot::Tree& tree, std::span<const double> configuration
   poses[0] = tree.description.base;
   for (std::size_t i = 1; i < tree.frames.size(); ++i) {
     const RobotFrame& frame = tree.frames[i];
-    Pose pose = poses[frame.parent] * frame.origin;
-    if (frame.motion == RobotFrame::Motion::turn)
+    Pose pose = shifted_by(poses[frame.parent], frame);
+    if (frame.motion == RobotFrame::Motion::turn && frame.along_axis)
+      pose.linear = turned_about_coordinate_axis(pose.linear, *frame.along_axis, frame.position_in(configuration));
+    else if (frame.motion == RobotFrame::Motion::turn)
       pose.linear = pose.linear * turned_about(frame.axis, frame.position_in(configuration));
     else if (frame.motion == RobotFrame::Motion::slide)
       pose.offset = transform(pose, frame.position_in(configuration) * frame.axis);

@@ -40,7 +40,7 @@ class NearestRobotPair {
   }
 
   void look_at(const BodyPair& pair) {
-    if (placed_.certainly_apart(pair, limit())) return;
+    if (placed_.certainly_apart(pair, limit()) || (least_ && placed_.hull_gap(pair, limit()) > limit())) return;
     const std::optional<Nearby> near = placed_.nearby(pair, {.limit = limit()});
     if (near && near->is_within) keep({scene_.contact_of(pair), near->distance, pair.body, other_body_of(pair), {}});
   }

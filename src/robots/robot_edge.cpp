@@ -44,9 +44,9 @@ class EdgeSearch {
   }
 
   RobotEdge answer() {
-    if (meets_at(0)) return {false, 0, 0, Status::exact, least_contact_at(0)};
-    if (end_ == EdgeEnd::any_contact && meets_at(1)) return {.is_free = false};
-    for (const SelfPair& self : scene_.self_pairs) pairs_.push_back({self.pair, &self});
+    if (end_ == EdgeEnd::any_contact && (meets_at(0) || meets_at(1))) return {.is_free = false};
+    if (end_ == EdgeEnd::first_contact && meets_at(0)) return {false, 0, 0, Status::exact, least_contact_at(0)};
+    for (const SelfPair& self : scene_.self_pairs) pairs_.push_back({self.pair, &self, {}});
     for (Index body = 0; body < ways_.size(); ++body)
       if (scene_.body_rests[body] == 0) bodies_.push_back(body);
     look_at({0, 1, 0, pairs_.size(), 0, bodies_.size()});
@@ -62,6 +62,7 @@ class EdgeSearch {
   struct OpenPair {
     BodyPair pair;
     const SelfPair* self;  ///< none with a part of an obstacle
+    SimplexCache kept;     ///< where the last look at their hulls ended: a hint
   };
 
   /// A stretch of time, and what is not known to be free in it: pairs, and bodies of which it is not even known which
@@ -155,18 +156,21 @@ class EdgeSearch {
     return ways[open.self->frames_of_body] + ways_[open.pair.other][open.self->frames_of_other] + rounding_;
   }
 
-  InStretch look_at_pair(const OpenPair& open) {
+  InStretch look_at_pair(OpenPair& open) {
     const double way = way_of(open);
     if (placed_.certainly_apart(open.pair, way)) return InStretch::free;
-    if (!placed_.certainly_apart(open.pair, 0) && placed_.overlap(open.pair)) return InStretch::meets;
-    // Boxes that are much nearer than that mostly hold shapes that are nearer too, unless the way is that of little.
-    const bool is_long = way > 0.125 * scene_.body_radius[open.pair.body] && stretch_length_ > precision_;
-    if (is_long && !placed_.certainly_apart(open.pair, 0.25 * way)) return InStretch::open;
+    const double gap = placed_.hull_gap(open.pair, way, &open.kept);
+    if (gap >= way) return InStretch::free;
+    if (gap == 0 && !placed_.certainly_apart(open.pair, 0) && placed_.are_met_within_hulls(open.pair))
+      return InStretch::meets;
+    // Halves of the stretch tell it with less work, until the way is little beside the shape.
+    const bool is_long = way > 0.03125 * scene_.body_radius[open.pair.body] && stretch_length_ > precision_;
+    if (is_long) return InStretch::open;
     return placed_.nearby(open.pair, WantedDistance::within(way)) ? InStretch::open : InStretch::free;
   }
 
   /// Whether a pair meets in the middle; those that are not free are put on the stack.
-  bool keep_open(const OpenPair& open) {
+  bool keep_open(OpenPair open) {
     const InStretch found = look_at_pair(open);
     if (found != InStretch::free) pairs_.push_back(open);
     return found == InStretch::meets;
@@ -180,7 +184,7 @@ class EdgeSearch {
     const bool goes_far = way > 2 * scene_.body_radius[body];
     bool meets = false, is_near_any = false;
     scene_.part_tree.visit_overlapping(around, [&](Index part) {
-      const OpenPair open{{body, true, part}, nullptr};
+      const OpenPair open{{body, true, part}, nullptr, {}};
       if (scene_.is_allowed(body, part) || placed_.certainly_apart(open.pair, way)) return true;
       is_near_any = true;
       if (!goes_far) meets = keep_open(open) || meets;

@@ -9,6 +9,7 @@
 #include "math/vec3_measures.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "robots/each_configuration.hpp"
+#include "robots/inner_balls.hpp"
 #include "robots/placed_robot.hpp"
 #include "robots/scene_made.hpp"
 #include "toccata/core/error.hpp"
@@ -25,6 +26,12 @@ void add_part_boxes(const Model& model, const Pose& pose, std::vector<TurnedBox>
   }
   for (std::size_t i = 0; i < model.parts().size(); ++i)
     add_part_boxes(model.parts()[i], pose * compound->parts()[i].pose, boxes);
+}
+
+/// Of a mesh that may be placed so; it is posed as the mesh is.
+std::optional<ConvexHull> hull_around(const Model& model, const Pose& pose) {
+  if (!model.has_mesh() || model.mesh().vertices().empty() || is_singular(pose.linear)) return {};
+  return ConvexHull(model.mesh().vertices());
 }
 
 /// Makes a scene ready.
@@ -52,6 +59,8 @@ class SceneMaking {
     for (const Robot::Body& body : tree.bodies) {
       const LocalBox box = local_box(body.model);
       made_->body_boxes.push_back(box);
+      made_->body_hulls.push_back(hull_around(body.model, body.pose));
+      made_->body_balls.push_back(inner_balls(body.model, body.pose, body.solid));
       const TurnedBox turned = turned_box(box, body.pose);
       double radius = 0;
       for (const Vec3& edge : turned.edges) radius += dot(edge, edge);
@@ -88,7 +97,26 @@ class SceneMaking {
       }
       add_part_boxes(obstacle.model, obstacle.pose, made_->part_boxes);
     }
+    for (const PosedPart& part : made_->parts) add_part_hull(part.shape);
+    for (std::size_t i = 0; i < made_->parts.size(); ++i) add_part_convex(i);
     made_->part_tree = BoxBvh(boxes);
+  }
+
+  void add_part_hull(const PosedShape& shape) {
+    const auto* triangles = std::get_if<PosedTriangles>(&shape);
+    made_->part_hulls.push_back(triangles == nullptr ? std::nullopt
+                                                     : hull_around(triangles->mesh.model(), triangles->mesh.pose()));
+  }
+
+  /// Once no hull moves any more.
+  void add_part_convex(std::size_t part) {
+    std::optional<PosedPolytope>& convex = made_->part_convex.emplace_back();
+    const PosedShape& shape = made_->parts[part].shape;
+    if (const auto* polytope = std::get_if<PosedPolytope>(&shape)) convex.emplace(*polytope);
+    std::vector<Ball>& balls = made_->part_balls.emplace_back();
+    if (const auto* triangles = std::get_if<PosedTriangles>(&shape))
+      balls = inner_balls(triangles->mesh.model(), triangles->mesh.pose(), triangles->solid ? Solid::all : Solid::none);
+    if (const auto& hull = made_->part_hulls[part]) convex.emplace(*hull, std::get<PosedTriangles>(shape).mesh.pose());
   }
 
   /// The number of a link, or after them of an obstacle; there may be several obstacles of one name.

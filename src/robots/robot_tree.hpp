@@ -22,6 +22,8 @@ struct RobotFrame {
   Index position = 0;
   double multiplier = 1;
   double offset = 0;
+  bool is_shifted_alone = false;    ///< the origin turns nothing
+  std::optional<int> along_axis{};  ///< the axis is one of the coordinate axes, not against it
 
   [[nodiscard]] double position_in(std::span<const double> configuration) const {
     return multiplier * configuration[position] + offset;

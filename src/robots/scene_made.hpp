@@ -8,8 +8,11 @@
 #include "query/posed_shape.hpp"
 #include "robots/robot_tree.hpp"
 #include "robots/turned_box.hpp"
+#include "toccata/bounds/ball.hpp"
 #include "toccata/broad/box_bvh.hpp"
+#include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/robots/robot_scene.hpp"
+#include "toccata/shapes/convex_hull.hpp"
 
 namespace toccata {
 
@@ -36,13 +39,18 @@ struct RobotScene::Made {
   std::vector<SceneInstance> obstacles;
 
   std::vector<LocalBox> body_boxes;
-  std::vector<double> body_radius;              ///< around the middle of its box, wherever it is
-  std::vector<std::vector<Index>> body_frames;  ///< that it hangs on, from its own to the base
-  std::vector<std::uint8_t> body_rests;         ///< no position moves it
+  std::vector<double> body_radius;                    ///< around the middle of its box, wherever it is
+  std::vector<std::optional<ConvexHull>> body_hulls;  ///< of meshes
+  std::vector<std::vector<Ball>> body_balls;          ///< within solid meshes, in the frame of the link
+  std::vector<std::vector<Index>> body_frames;        ///< that it hangs on, from its own to the base
+  std::vector<std::uint8_t> body_rests;               ///< no position moves it
   std::vector<SelfPair> self_pairs;
 
   std::vector<PosedPart> parts;
   std::vector<TurnedBox> part_boxes;
+  std::vector<std::optional<ConvexHull>> part_hulls;      ///< of meshes
+  std::vector<std::optional<PosedPolytope>> part_convex;  ///< around each part, where there is one
+  std::vector<std::vector<Ball>> part_balls;              ///< within solid meshes
   std::vector<Index> part_obstacle;
   BoxBvh part_tree;
   std::vector<std::uint8_t> allowed_with_obstacle;  ///< [link · obstacles + obstacle]

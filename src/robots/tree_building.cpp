@@ -192,13 +192,16 @@ class TreeBuilding {
   }
 
   Index add_frame(RobotFrame frame) {
+    frame.is_shifted_alone = frame.origin.linear == Mat3{};
+    for (int axis = 0; axis < 3; ++axis)
+      if (frame.axis == Mat3{}[axis]) frame.along_axis = axis;
     tree_.frames.push_back(frame);
     return static_cast<Index>(tree_.frames.size() - 1);
   }
 
   /// One of several steps of a joint, by a number of its own.
   Index add_step(Index parent, const Pose& origin, RobotFrame::Motion motion, const Vec3& axis, Index position) {
-    return add_frame({parent, origin, motion, axis, position});
+    return add_frame({parent, origin, motion, axis, position, 1, 0, false, {}});
   }
 
   Index add_planar(const RobotJoint& joint, Index parent, Index position) {
