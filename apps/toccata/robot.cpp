@@ -16,6 +16,7 @@
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
+#include "toccata/io/query_files.hpp"
 #include "toccata/reports/output_file.hpp"
 #include "toccata/reports/pages.hpp"
 #include "toccata/robots.hpp"
@@ -31,6 +32,8 @@ struct RobotArguments {
   std::string srdf;
   std::vector<std::string> packages;
   InputArguments scene;
+  std::string cloud;           ///< a file of points; empty: none
+  double radius = 0.01;        ///< of a ball around each
   std::string configurations;  ///< a file; empty: where the robot rests
   bool edges = false;
   bool distance = false;
@@ -362,8 +365,9 @@ int run_robot(const RobotArguments& arguments) {
     return 0;
   }
   if (arguments.find_allowed > 0) return find_allowed(asked, arguments);
-  const RobotScene scene(asked.robot, scene_models(asked.loaded.scene, arguments.threads),
-                         {.allowed = asked.allowed, .allow_adjacent = arguments.srdf.empty()});
+  std::vector<SceneInstance> obstacles = scene_models(asked.loaded.scene, arguments.threads);
+  if (!arguments.cloud.empty()) obstacles.push_back(point_cloud(read_points(arguments.cloud), arguments.radius));
+  const RobotScene scene(asked.robot, obstacles, {.allowed = asked.allowed, .allow_adjacent = arguments.srdf.empty()});
   const RobotAnswer answer = answer_of(scene, arguments);
   if (!arguments.html.empty()) write_film(answer, scene, arguments);
   if (arguments.format == Format::json) {
@@ -392,6 +396,11 @@ Subcommand add_robot(CLI::App& app) {
       ->type_name("FILE");
   add_text(*robot, "--unit", arguments->scene.unit, "of plain mesh files of the scene: mm, cm, m, in, ft",
            "a unit must be given");
+  CLI::Option* cloud = add_file(*robot, "--cloud", arguments->cloud, "a point cloud around it: three numbers a line");
+  robot->add_option("--radius", arguments->radius, "of the ball that each of its points stands for")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->needs(cloud);
   CLI::Option* configurations =
       add_file(*robot, "--configurations", arguments->configurations,
                "a line of numbers for each, in radians and metres (default: where all positions are 0)");

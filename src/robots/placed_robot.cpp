@@ -80,8 +80,7 @@ double PlacedRobot::hull_gap(const BodyPair& pair, double enough, SimplexCache* 
   const bool other_is_mesh =
       (pair.with_part ? scene_.part_hulls[pair.other] : scene_.body_hulls[pair.other]).has_value();
   if (!scene_.body_hulls[pair.body] && !other_is_mesh) return 0;
-  const std::optional<PosedPolytope>* part = pair.with_part ? &scene_.part_convex[pair.other] : nullptr;
-  const PosedPolytope* other = part == nullptr ? convex_around(pair.other) : *part ? &**part : nullptr;
+  const PosedPolytope* other = pair.with_part ? scene_.convex_around(pair.other) : convex_around(pair.other);
   const PosedPolytope* body = other == nullptr ? nullptr : convex_around(pair.body);
   if (body == nullptr) return 0;
   // World vertices of a mesh are off from the hull of some of them by what they are rounded.
@@ -142,27 +141,41 @@ bool PlacedRobot::are_met(const BodyPair& pair) {
 
 bool PlacedRobot::are_met_within_hulls(const BodyPair& pair) { return certainly_meet(pair) || overlap(pair); }
 
-bool PlacedRobot::found(const BodyPair& pair) {
-  if (!are_met(pair)) return false;
-  met_last_ = pair;
-  return true;
+/// Whether the pair certainly meets. Where that is not known, and neither that it is apart, it waits.
+bool PlacedRobot::meets_at_sight(const BodyPair& pair) {
+  if (certainly_apart(pair, 0)) return false;
+  if (certainly_meet(pair)) {
+    met_last_ = pair;
+    return true;
+  }
+  waiting_.push_back(pair);
+  return false;
 }
 
-bool PlacedRobot::body_meets_obstacle(Index body) {
+bool PlacedRobot::body_meets_at_sight(Index body) {
   bool meets = false;
   scene_.part_tree.visit_overlapping(box_around(boxes_[body]), [&](Index part) {
-    meets = !scene_.is_allowed(body, part) && found({body, true, part});
+    meets = !scene_.is_allowed(body, part) && meets_at_sight({body, true, part});
     return !meets;
   });
   return meets;
 }
 
+bool PlacedRobot::meets_after_waiting(const BodyPair& pair) {
+  if (hull_gap(pair, 0) > 0 || !overlap(pair)) return false;
+  met_last_ = pair;
+  return true;
+}
+
 bool PlacedRobot::meets() {
   if (!scene_.contacts_at_rest.empty()) return true;
-  if (met_last_ && found(*met_last_)) return true;
+  if (met_last_ && are_met(*met_last_)) return true;
+  waiting_.clear();
   for (std::size_t i = boxes_.size(); i-- > 0;)  // those far out move most, and meet most
-    if (scene_.body_rests[i] == 0 && body_meets_obstacle(static_cast<Index>(i))) return true;
-  return std::ranges::any_of(scene_.self_pairs, [&](const SelfPair& self) { return found(self.pair); });
+    if (scene_.body_rests[i] == 0 && body_meets_at_sight(static_cast<Index>(i))) return true;
+  if (std::ranges::any_of(scene_.self_pairs, [&](const SelfPair& self) { return meets_at_sight(self.pair); }))
+    return true;
+  return std::ranges::any_of(waiting_, [&](const BodyPair& pair) { return meets_after_waiting(pair); });
 }
 
 std::vector<RobotContact> PlacedRobot::contacts(ContactsTold told) {

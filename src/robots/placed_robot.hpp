@@ -58,8 +58,9 @@ class PlacedRobot {
   [[nodiscard]] std::span<const PosedPart> posed(Index body);
   [[nodiscard]] std::span<const PosedPart> posed_other(const BodyPair& pair);
   [[nodiscard]] const PosedPolytope* convex_around(Index body);
-  [[nodiscard]] bool body_meets_obstacle(Index body);
-  [[nodiscard]] bool found(const BodyPair& pair);
+  [[nodiscard]] bool meets_at_sight(const BodyPair& pair);
+  [[nodiscard]] bool body_meets_at_sight(Index body);
+  [[nodiscard]] bool meets_after_waiting(const BodyPair& pair);
 
   const RobotScene::Made& scene_;
   Workspace workspace_;
@@ -68,6 +69,7 @@ class PlacedRobot {
   std::vector<PosedModel> posed_;
   std::vector<std::uint8_t> is_posed_;
   std::vector<std::optional<PosedPolytope>> hulls_;  ///< of meshes, where they were needed
+  std::vector<BodyPair> waiting_;  ///< of the configuration: what is decided last, as it takes longest
   std::optional<BodyPair> met_last_;
 };
 

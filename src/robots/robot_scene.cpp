@@ -98,7 +98,7 @@ class SceneMaking {
       add_part_boxes(obstacle.model, obstacle.pose, made_->part_boxes);
     }
     for (const PosedPart& part : made_->parts) add_part_hull(part.shape);
-    for (std::size_t i = 0; i < made_->parts.size(); ++i) add_part_convex(i);
+    for (std::size_t i = 0; i < made_->parts.size(); ++i) add_around(i);
     made_->part_tree = BoxBvh(boxes);
   }
 
@@ -109,14 +109,14 @@ class SceneMaking {
   }
 
   /// Once no hull moves any more.
-  void add_part_convex(std::size_t part) {
-    std::optional<PosedPolytope>& convex = made_->part_convex.emplace_back();
-    const PosedShape& shape = made_->parts[part].shape;
-    if (const auto* polytope = std::get_if<PosedPolytope>(&shape)) convex.emplace(*polytope);
+  void add_around(std::size_t part) {
+    const auto* triangles = std::get_if<PosedTriangles>(&made_->parts[part].shape);
+    std::shared_ptr<const PosedPolytope>& outer = made_->part_outer.emplace_back();
     std::vector<Ball>& balls = made_->part_balls.emplace_back();
-    if (const auto* triangles = std::get_if<PosedTriangles>(&shape))
-      balls = inner_balls(triangles->mesh.model(), triangles->mesh.pose(), triangles->solid ? Solid::all : Solid::none);
-    if (const auto& hull = made_->part_hulls[part]) convex.emplace(*hull, std::get<PosedTriangles>(shape).mesh.pose());
+    if (triangles == nullptr) return;
+    const PosedMesh& mesh = triangles->mesh;
+    if (const auto& hull = made_->part_hulls[part]) outer = std::make_shared<const PosedPolytope>(*hull, mesh.pose());
+    balls = inner_balls(mesh.model(), mesh.pose(), triangles->solid ? Solid::all : Solid::none);
   }
 
   /// The number of a link, or after them of an obstacle; there may be several obstacles of one name.
@@ -234,6 +234,19 @@ std::string text_of(const RobotContact& contact, const RobotScene& scene) {
   if (!contact.with_obstacle) return fmt::format("{} and {}", links[contact.link].name, links[contact.other].name);
   return fmt::format("{} and {}", links[contact.link].name,
                      name_for_messages(scene.obstacles()[contact.other], contact.other));
+}
+
+SceneInstance point_cloud(std::span<const Vec3> points, double radius, const std::string& name) {
+  std::vector<CompoundPart> balls;
+  for (const Vec3& point : points) balls.push_back({Sphere(radius), Pose::translation(point)});
+  return {Model(Compound(balls)), {}, Solid::automatic, name};
+}
+
+SceneInstance voxel_map(std::span<const Vec3> middles, double edge, const std::string& name) {
+  const Box cell({0.5 * edge, 0.5 * edge, 0.5 * edge});
+  std::vector<CompoundPart> cells;
+  for (const Vec3& middle : middles) cells.push_back({cell, Pose::translation(middle)});
+  return {Model(Compound(cells)), {}, Solid::automatic, name};
 }
 
 }  // namespace toccata

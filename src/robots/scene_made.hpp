@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,14 +49,20 @@ struct RobotScene::Made {
 
   std::vector<PosedPart> parts;
   std::vector<TurnedBox> part_boxes;
-  std::vector<std::optional<ConvexHull>> part_hulls;      ///< of meshes
-  std::vector<std::optional<PosedPolytope>> part_convex;  ///< around each part, where there is one
-  std::vector<std::vector<Ball>> part_balls;              ///< within solid meshes
+  std::vector<std::optional<ConvexHull>> part_hulls;             ///< of meshes
+  std::vector<std::shared_ptr<const PosedPolytope>> part_outer;  ///< these at their places
+  std::vector<std::vector<Ball>> part_balls;                     ///< within solid meshes
   std::vector<Index> part_obstacle;
   BoxBvh part_tree;
   std::vector<std::uint8_t> allowed_with_obstacle;  ///< [link · obstacles + obstacle]
 
   std::vector<RobotContact> contacts_at_rest;  ///< of bodies that rest with obstacles: always
+
+  /// Around a part, where there is one: itself where it is convex.
+  [[nodiscard]] const PosedPolytope* convex_around(Index part) const {
+    const auto* itself = std::get_if<PosedPolytope>(&parts[part].shape);
+    return itself != nullptr ? itself : part_outer[part].get();
+  }
 
   [[nodiscard]] const Robot::Body& body(Index number) const { return robot.bodies()[number]; }
   [[nodiscard]] bool is_allowed(Index body_number, Index part) const {

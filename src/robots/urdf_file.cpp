@@ -80,7 +80,7 @@ class RobotXml {
     text_.assign(bytes.span().begin(), bytes.span().end());
     document_.Parse(text_.c_str());
     if (document_.Error())
-      throw Error(fmt::format("{}, line {}: this is no XML: {}", path, document_.ErrorRow(), document_.ErrorDesc()));
+      throw Error(fmt::format("{}:{}: this is no XML: {}", path, document_.ErrorRow(), document_.ErrorDesc()));
     const TiXmlElement* root = document_.RootElement();
     if (root == nullptr || root->ValueStr() != "robot")
       throw Error(fmt::format("{}: its root element is {}, and that of a robot is <robot>", path,
@@ -100,7 +100,7 @@ class RobotXml {
   }
 
   [[nodiscard]] Error error_at(const TiXmlElement& element, std::string_view what) const {
-    return Error(fmt::format("{}, line {}: {}", path_, element.Row(), what));
+    return Error(fmt::format("{}:{}: {}", path_, element.Row(), what));
   }
 
   [[nodiscard]] std::string attribute(const TiXmlElement& element, const char* name) const {

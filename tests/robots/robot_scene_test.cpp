@@ -91,6 +91,25 @@ TEST(RobotScene, AttachedObjectsMeetWhatTheirLinkDoesNotHold) {
   EXPECT_EQ(RobotScene(holding, wall).contacts(straight), (std::vector<RobotContact>{{4, true, 0}}));
 }
 
+TEST(RobotScene, PointCloudsAndVoxelMapsAreObstacles) {
+  Random random(3);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 500; ++i)
+    points.push_back({random.between(-2, 2), random.between(-2, 2), random.between(-0.3, 0.3)});
+  const Robot robot(planar_robot());
+  for (const SceneInstance& obstacle : {point_cloud(points, 0.02), voxel_map(points, 0.03)}) {
+    const RobotScene scene(robot, std::span(&obstacle, 1));
+    std::size_t free = 0;
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<double> configuration{random.between(-3, 3), random.between(-2.5, 2.5), random.between(0, 1)};
+      EXPECT_EQ(scene.contacts(configuration), contacts_by_pairs(scene, configuration));
+      free += scene.meets(configuration) ? 0U : 1U;
+    }
+    EXPECT_LT(free, 20U);
+  }
+  EXPECT_NE(message_of([&] { static_cast<void>(point_cloud({}, 0.1)); }), "");
+}
+
 TEST(RobotScene, WhatRestsMeetsObstaclesAlways) {
   RobotDescription arm = planar_robot();
   arm.links[0].shapes = {{Box{{0.1, 0.1, 0.1}}, Pose::translation(0, 0, -1)}};

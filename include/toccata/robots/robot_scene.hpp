@@ -132,6 +132,13 @@ class RobotScene {
   std::shared_ptr<const Made> made_;
 };
 
+/// A point cloud as an obstacle: a ball of this radius around each point. Each stands in the tree by itself. Throws
+/// Error without a point, and for a radius that is not positive.
+[[nodiscard]] SceneInstance point_cloud(std::span<const Vec3> points, double radius, const std::string& name = "cloud");
+
+/// The occupied cells of a voxel map or octree, all of one size, as an obstacle: a cube around each middle.
+[[nodiscard]] SceneInstance voxel_map(std::span<const Vec3> middles, double edge, const std::string& name = "voxels");
+
 /// What people call it: "upper_arm and forearm", "hand and obstacle 'table'".
 [[nodiscard]] std::string text_of(const RobotContact& contact, const RobotScene& scene);
 
