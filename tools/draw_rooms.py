@@ -31,10 +31,11 @@ WORDS = {
     "methods": "what is compared and taught, not production",
     "world": "bodies that move, step by step",
     "io": "files of meshes, scenes, poses",
+    "robots": "links, joints, configurations, edges",
     "reports": "reports, pages, plots: a library of its own",
 }
 COLOURS = ["#4e79a7", "#b6672a", "#3f8f5b", "#b5454a", "#7b62a3", "#8c6d52", "#c2589a", "#5f6f7f", "#8a8a20", "#2f93a8",
-           "#a0522d", "#55609c", "#404a57", "#7a8f3c", "#9c4f78"]
+           "#a0522d", "#55609c", "#404a57", "#7a8f3c", "#9c4f78", "#5b7f2b"]
 # An upper limit of each class, and how thick its arrows are.
 CLASSES = [(4, 1.2, "1 to 4 includes"), (16, 2.4, "5 to 16"), (64, 4.4, "17 to 64"), (None, 7.5, "65 or more")]
 

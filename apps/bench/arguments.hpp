@@ -257,6 +257,17 @@ struct ProximityArguments {
   bool json = false;
 };
 
+struct RobotArguments {
+  std::size_t count = 20000;
+  int subdivisions = 3;  ///< of the links' meshes
+  double edge = 0.1;     ///< how long an edge is, as a part of the way to another configuration
+  double near = 0.2;     ///< how far a distance is looked for
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool json = false;
+};
+
 // Exit codes: 0, or 1 when Toccata was wrong somewhere. Trouble is thrown.
 int run_mesh(const MeshArguments& arguments);
 int run_triangle(const TriangleArguments& arguments);
@@ -288,5 +299,6 @@ int run_sweeps(const MotionArguments& arguments);
 int run_swept_volumes(const MotionArguments& arguments);
 int run_deforming(const DeformingArguments& arguments);
 int run_walker(const WalkerArguments& arguments);
+int run_robot(const RobotArguments& arguments);
 
 }  // namespace toccata::bench

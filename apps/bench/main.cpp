@@ -47,6 +47,7 @@ struct Options {
   DeformingArguments deforming;
   WalkerArguments walker;
   ProximityArguments proximity;
+  RobotArguments robot;
 };
 
 /// CLI11's own tells the range of all doubles.
@@ -361,6 +362,27 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
       "  ./toccata bench world --task space-time --count 5000 --frames 200");
 }
 
+void add_robot(CLI::App& app, RobotArguments& arguments) {
+  CLI::App* robot = app.add_subcommand("robot", "an arm of seven joints among a hundred boxes and three meshes");
+  add_number(*robot, "--count", arguments.count, "random configurations, and edges from each");
+  robot->add_option("--subdivisions", arguments.subdivisions, "of the links' meshes: 20 triangles, and four times each")
+      ->check(CLI::Range(0, 6))
+      ->capture_default_str();
+  robot->add_option("--edge", arguments.edge, "how long an edge is, as a part of the way to another configuration")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  robot->add_option("--near", arguments.near, "how far the least distance is looked for, in metres")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  add_number(*robot, "--rounds", arguments.rounds, "how often all are asked; the fastest counts");
+  add_peers(*robot, arguments.peers, {"fcl"});
+  robot->add_option("--seed", arguments.seed, "another seed, other configurations")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_json(*robot, arguments.json);
+  robot->footer("Example:\n  ./toccata bench robot --peer fcl");
+}
+
 void add_parts(CLI::App& app, PartsArguments& arguments) {
   CLI::App* parts = app.add_subcommand("parts", "which of many posed meshes meet, taken as surfaces");
   add_number(*parts, "--count", arguments.count, "parts of a few kinds, some of which meet");
@@ -558,6 +580,7 @@ int main_of(int argc, char** argv) {
   add_broad(app, options.broad);
   add_world(app, options.world);
   add_parts(app, options.parts);
+  add_robot(app, options.robot);
   add_world_queries(app, options.world_queries);
   add_mover(app, options.mover);
   add_partitions(app, options.partitions);
@@ -589,6 +612,7 @@ int main_of(int argc, char** argv) {
   if (app.got_subcommand("world"))
     return options.world.task == "space-time" ? run_space_time(options.world) : run_world(options.world);
   if (app.got_subcommand("parts")) return run_parts(options.parts);
+  if (app.got_subcommand("robot")) return run_robot(options.robot);
   if (app.got_subcommand("world-queries")) return run_world_queries(options.world_queries);
   if (app.got_subcommand("mover")) return run_mover(options.mover);
   if (app.got_subcommand("partitions")) return run_partitions_task(options.partitions);

@@ -238,6 +238,15 @@ def check_world(peers):
         assert row["library"] != "toccata" or row["missing"] == row["invented"] == 0, row
 
 
+def check_robot(peers):
+    made = report("robot", "--count", "60", "--rounds", "1", "--subdivisions", "1", *(["--peer", "fcl"] if "fcl" in peers else []))
+    rows = made["results"]
+    assert [row["task"] for row in rows[:4]] == ["configurations", "edges", "first contacts", "distances"], rows
+    for row in rows:
+        assert row["mean_us"] > 0 and row["per_second"] > 0 and row["ratio"] > 0 and row["count"] == 60, row
+        assert 0 < row["found"] < 60 and (row["library"] != "toccata" or row["disagreements"] == 0), row
+
+
 def check_parts(peers):
     made = report("parts", "--count", "300", "--rounds", "1", *(["--peer", "fcl"] if "fcl" in peers else []))
     assert [r["variant"] for r in made["results"]][:2] == ["check_all", "every pair"], made["results"]
@@ -421,6 +430,7 @@ def main():
     check_builders()
     check_world(peers)
     check_parts(peers)
+    check_robot(peers)
     check_world_queries(peers)
     check_mover(peers)
     check_casts(peers)

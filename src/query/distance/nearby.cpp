@@ -10,6 +10,7 @@
 #include "query/keep_least.hpp"
 #include "query/near_parts.hpp"
 #include "query/numbered.hpp"
+#include "query/part_questions.hpp"
 #include "query/search_scratch.hpp"
 
 namespace toccata {
@@ -33,13 +34,16 @@ struct AskNearby {
   SearchScratch& scratch;
 };
 
-/// Elements and faces counted from where those of the parts begin.
+}  // namespace
+
 std::optional<Nearby> nearby(const PosedPart& a, const PosedPart& b, const WantedDistance& wanted,
                              SearchScratch& scratch) {
   std::optional<Nearby> found = ask(AskNearby{wanted, scratch}, a, b);
   if (found) found->distance = numbered(found->distance, a, b);
   return found;
 }
+
+namespace {
 
 /// The nearest of pairs of parts, which come by the gaps of their boxes: the answer is the one that all pairs,
 /// ascending, would have.

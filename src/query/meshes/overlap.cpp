@@ -4,6 +4,7 @@
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/near_parts.hpp"
+#include "query/part_questions.hpp"
 #include "query/posed_mesh_pair.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -36,6 +37,10 @@ bool shapes_overlap(const Model& a, const Model& b, const PairQuery& query, Sear
 }
 
 }  // namespace
+
+bool parts_overlap(const PosedPart& a, const PosedPart& b, SearchScratch& scratch) {
+  return ask(AskOverlap{scratch}, a, b);
+}
 
 bool overlap(const Model& a, const Model& b, const PairQuery& query) {
   Workspace workspace;

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "narrow/near.hpp"
+#include "query/posed_shape.hpp"
+#include "robots/scene_made.hpp"
+#include "toccata/query/pair_query.hpp"
+
+namespace toccata {
+
+/// A robot at one configuration after the other, and what it meets there. It keeps memory and what met last, which save
+/// time and change no answer. One thread uses it at a time; the scene outlives it.
+class PlacedRobot {
+ public:
+  explicit PlacedRobot(const RobotScene::Made& scene);
+
+  /// From now on it is there.
+  void place(std::span<const double> configuration);
+
+  [[nodiscard]] const RobotScene::Made& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<Pose>& frames() const { return frames_; }
+  [[nodiscard]] const TurnedBox& box(Index body) const { return boxes_[body]; }
+  [[nodiscard]] const TurnedBox& box_of_other(const BodyPair& pair) const {
+    return pair.with_part ? scene_.part_boxes[pair.other] : boxes_[pair.other];
+  }
+  [[nodiscard]] bool certainly_apart(const BodyPair& pair, double by) const {
+    return toccata::certainly_apart(boxes_[pair.body], box_of_other(pair), by);
+  }
+
+  /// Proved to be farther apart than the length that is told, by what is convex around the two: tighter than by boxes,
+  /// and slower. As long as is wanted or, where that is not found, what was; 0 where nothing is known, and where both
+  /// are convex themselves.
+  [[nodiscard]] double hull_gap(const BodyPair& pair, double enough, SimplexCache* kept = nullptr);
+
+  /// Proved by balls within the two to have a point in common. False says nothing.
+  [[nodiscard]] bool certainly_meet(const BodyPair& pair) const;
+
+  /// The two have a point in common: by what is certain in doubles, and else by `overlap`.
+  [[nodiscard]] bool are_met(const BodyPair& pair);
+  /// The same where nothing of their hulls need be asked.
+  [[nodiscard]] bool are_met_within_hulls(const BodyPair& pair);
+  /// The same by the exact question alone.
+  [[nodiscard]] bool overlap(const BodyPair& pair);
+
+  /// How near they are: as the question of that name says.
+  [[nodiscard]] std::optional<Nearby> nearby(const BodyPair& pair, const WantedDistance& wanted);
+
+  /// Some pair has.
+  [[nodiscard]] bool meets();
+
+  /// The pairs that have, or the least, as links and obstacles.
+  [[nodiscard]] std::vector<RobotContact> contacts(ContactsTold told);
+
+ private:
+  [[nodiscard]] std::span<const PosedPart> posed(Index body);
+  [[nodiscard]] std::span<const PosedPart> posed_other(const BodyPair& pair);
+  [[nodiscard]] const PosedPolytope* convex_around(Index body);
+  [[nodiscard]] bool meets_at_sight(const BodyPair& pair);
+  [[nodiscard]] bool body_meets_at_sight(Index body);
+  [[nodiscard]] bool meets_after_waiting(const BodyPair& pair);
+
+  const RobotScene::Made& scene_;
+  Workspace workspace_;
+  std::vector<Pose> frames_;
+  std::vector<TurnedBox> boxes_;
+  std::vector<PosedModel> posed_;
+  std::vector<std::uint8_t> is_posed_;
+  std::vector<std::optional<PosedPolytope>> hulls_;  ///< of meshes, where they were needed
+  std::vector<BodyPair> waiting_;  ///< of the configuration: what is decided last, as it takes longest
+  std::optional<BodyPair> met_last_;
+};
+
+}  // namespace toccata

@@ -1,0 +1,211 @@
+#include "toccata/robots/robot_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robots/robot_cases.hpp"
+#include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace toccata::test {
+namespace {
+
+bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Two links of every kind of shape.
+constexpr const char* small_urdf = R"(<?xml version="1.0"?>
+<robot name="small">
+  <link name="base">
+    <collision><origin xyz="0 0 0.5"/><geometry><box size="0.2 0.4 1"/></geometry></collision>
+    <collision name="knob"><geometry><sphere radius="0.3"/></geometry></collision>
+  </link>
+  <link name="arm">
+    <collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision>
+  </link>
+  <link name="hand">
+    <collision><geometry><mesh filename="package://parts/hand.off" scale="0.5 0.5 1"/></geometry></collision>
+  </link>
+  <link name="lamp"><visual><geometry><sphere radius="1"/></geometry></visual></link>
+  <joint name="turn" type="revolute">
+    <origin xyz="0 0 1" rpy="0 1.5707963267948966 0"/>
+    <parent link="base"/><child link="arm"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="2" effort="1" velocity="1"/>
+  </joint>
+  <joint name="slide" type="prismatic">
+    <parent link="arm"/><child link="hand"/><axis xyz="0 0 1"/>
+    <limit lower="0" upper="0.5" effort="1" velocity="1"/>
+    <mimic joint="turn" multiplier="0.1" offset="0.2"/>
+  </joint>
+  <joint name="hook" type="fixed"><parent link="arm"/><child link="lamp"/></joint>
+</robot>
+)";
+
+constexpr const char* hand_mesh = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+class UrdfFile : public ::testing::Test {
+ protected:
+  UrdfFile() { folder_.write("parts/hand.off", hand_mesh); }
+  void SetUp() override {
+    if (!reads_urdf()) GTEST_SKIP() << "urdfdom was not there when this was built";
+  }
+
+  [[nodiscard]] std::string written(const std::string& text) const {
+    return folder_.write("robot.urdf", text).string();
+  }
+  [[nodiscard]] RobotFile read(const std::string& text) const { return read_urdf(written(text)); }
+
+  /// The message that a change of the text causes, without the folder.
+  [[nodiscard]] std::string fault(const std::string& from, const std::string& to) const {
+    std::string text = small_urdf;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    std::string message = message_of([&] { static_cast<void>(read(text)); });
+    const std::string folder = folder_.path().string() + "/";
+    for (std::size_t at = message.find(folder); at != std::string::npos; at = message.find(folder))
+      message.erase(at, folder.size());
+    return message;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(UrdfFile, HasTheShapesAndJointsThatItTells) {
+  const RobotFile file = read(small_urdf);
+  const Robot robot(file.description);
+  EXPECT_EQ(robot.name(), "small");
+  ASSERT_EQ(robot.bodies().size(), 4U);
+  EXPECT_EQ(robot.bodies()[0].pose, Pose::translation(0, 0, 0.5));
+  EXPECT_EQ(std::get<Box>(robot.bodies()[0].model.shape()).half_extents(), Vec3(0.1, 0.2, 0.5));
+  EXPECT_EQ(robot.bodies()[1].name, "base, knob");
+  EXPECT_EQ(std::get<Cylinder>(robot.bodies()[2].model.shape()).half_height(), 1);
+  EXPECT_EQ(robot.bodies()[3].pose.linear[0], Vec3(0.5, 0, 0));
+  ASSERT_EQ(robot.positions().size(), 1U);
+  EXPECT_EQ(robot.positions()[0].limits, (JointLimits{-1, 2}));
+  // At 0 the arm's axis lies along x, and the hand slides along it by 0.2.
+  const std::vector<Pose> poses = robot.link_poses(std::vector<double>{0});
+  EXPECT_LT(length(poses[robot.link_of("hand")] * Vec3() - Vec3(0.2, 0, 1)), 1e-15);
+  ASSERT_EQ(file.warnings.size(), 1U);
+  EXPECT_TRUE(tells(file.warnings[0], "link 'lamp' has a picture and no collision shape"));
+}
+
+TEST_F(UrdfFile, WhatIsBrokenIsNamedWithItsLine) {
+  EXPECT_EQ(fault("type=\"revolute\"", "type=\"revolut\""),
+            "robot.urdf:14: joint 'turn' is of the type 'revolut', which there is not; did you mean 'revolute'?");
+  EXPECT_EQ(fault("<child link=\"hand\"/>", "<child link=\"hnd\"/>"),
+            "robot.urdf:19: joint 'slide': its child is link 'hnd', which there is not; did you mean 'hand'?");
+  EXPECT_TRUE(tells(fault("<parent link=\"base\"/>", "<parent link=\"hand\"/>"), "hangs on itself"));
+  EXPECT_TRUE(tells(fault("<child link=\"lamp\"/>", "<child link=\"arm\"/>"), "link 'arm' has two parents"));
+  EXPECT_TRUE(tells(fault("<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>", ""), "robot.urdf:14: "));
+  EXPECT_TRUE(
+      tells(fault("lower=\"-1\" upper=\"2\"", "lower=\"3\" upper=\"2\""), "robot.urdf:14: joint 'turn': its limits"));
+  EXPECT_TRUE(tells(fault("<mimic joint=\"turn\"", "<mimic joint=\"trn\""), "joint 'slide': it mimics joint 'trn'"));
+  EXPECT_TRUE(tells(fault("radius=\"0.3\"", "radius=\"-0.3\""), "robot.urdf:3: link 'base'"));
+  EXPECT_TRUE(tells(fault("hand.off", "hnd.off"), "robot.urdf:10: link 'hand': package://parts/hnd.off is in none of"));
+  EXPECT_TRUE(tells(fault("package://parts/hand.off", "hand.stl"), "there is no file"));
+  EXPECT_TRUE(tells(fault("package://parts/hand.off", "http://there/hand.stl"), "meshes are read from disk alone"));
+  EXPECT_TRUE(tells(fault("scale=\"0.5 0.5 1\"", "scale=\"0.5 0 1\""), "no number of it may be 0"));
+  folder_.write("parts/hand.dae", "<COLLADA/>");
+  EXPECT_TRUE(tells(fault("hand.off", "hand.dae"), "is COLLADA, which is not read; convert it to STL, OBJ or glTF"));
+  folder_.write("parts/broken.off", "OFF\n1 1 0\n0 0 0\n3 0 1 2\n");
+  EXPECT_TRUE(tells(fault("hand.off", "broken.off"), "broken.off"));
+}
+
+TEST_F(UrdfFile, WhatIsNoRobotIsRefused) {
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read("<robot name=\"x\"><link")); }), "this is no XML"));
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read("<scene/>")); }), "its root element is <scene>"));
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read("<robot name=\"x\"/>")); }), "has no link"));
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read("<robot name=\"x\"><link/></robot>")); }),
+                    "robot.urdf:1: <link> has no attribute name"));
+  EXPECT_NE(message_of([&] { static_cast<void>(read_urdf((folder_ / "none.urdf").string())); }), "");
+  EXPECT_NE(message_of([&] { static_cast<void>(read("")); }), "");
+}
+
+TEST_F(UrdfFile, OddSizesAreWarnedOf) {
+  std::string text = small_urdf;
+  text.replace(text.find("0.5 0.5 1\""), 10, "500 500 9\"");
+  EXPECT_TRUE(tells(read(text).warnings.at(0), "write scale=\"0.001 0.001 0.001\""));
+  text.replace(text.find("500 500 9\""), 10, "1e-5 1e-5 1e-5\"");
+  EXPECT_TRUE(tells(read(text).warnings.at(0), "is only"));
+  text = small_urdf;
+  text.replace(text.find("xyz=\"0 0 1\""), 11, "xyz=\"0 0 1e3\"");
+  EXPECT_TRUE(tells(read(text).warnings.back(), "URDF is in metres"));
+}
+
+TEST_F(UrdfFile, PackagesAreLookedForInTheirOrder) {
+  folder_.write("elsewhere/parts/hand.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string path = written(small_urdf);
+  const auto triangles = [&](const std::vector<std::string>& folders) {
+    const RobotFile file = read_urdf(path, {folders});
+    return mesh_of(file.description.links[2].shapes[0].shape)->triangle_count();
+  };
+  EXPECT_EQ(triangles({}), 4U);
+  EXPECT_EQ(triangles({(folder_ / "elsewhere").string()}), 1U);
+  EXPECT_EQ(triangles({(folder_ / "elsewhere/parts").string()}), 1U);
+  EXPECT_EQ(triangles({(folder_ / "nowhere").string(), (folder_ / "parts/").string()}), 4U);
+}
+
+TEST_F(UrdfFile, AWrittenRobotIsReadAgain) {
+  const RobotDescription arm = generated_arm({.subdivisions = 1});
+  write_urdf(arm, (folder_ / "arm").string());
+  const Robot before(arm), after(read_urdf((folder_ / "arm/robot.urdf").string()).description);
+  const std::vector<double> configuration{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
+  EXPECT_EQ(before.link_poses(configuration), after.link_poses(configuration));
+  for (std::size_t i = 0; i < before.bodies().size(); ++i)
+    EXPECT_TRUE(
+        std::ranges::equal(before.bodies()[i].model.mesh().vertices(), after.bodies()[i].model.mesh().vertices()));
+  write_urdf(arm, (folder_ / "arm").string());  // what is there already is the same
+  EXPECT_TRUE(tells(message_of([&] { write_urdf(generated_arm({.subdivisions = 0}), (folder_ / "arm").string()); }),
+                    "there is another file already"));
+  RobotDescription cone = planar_robot();
+  cone.links[1].shapes = {{Cone(1, 1)}};
+  EXPECT_TRUE(tells(message_of([&] { write_urdf(cone, (folder_ / "cone").string()); }), "URDF has no cone"));
+}
+
+TEST_F(UrdfFile, SrdfTellsWhichPairsAreDisabled) {
+  const Robot robot(read(small_urdf).description);
+  const auto pairs_of = [&](const std::string& inside) {
+    return read_srdf(folder_.write("robot.srdf", "<robot name=\"small\">\n" + inside + "\n</robot>\n").string(), robot);
+  };
+  EXPECT_EQ(
+      pairs_of("<disable_collisions link1=\"arm\" link2=\"base\" reason=\"Adjacent\"/>\n"
+               "<disable_collisions link1=\"base\" link2=\"hand\" reason=\"Never\"/>"),
+      (std::vector<AllowedPair>{{"base", "arm", AllowedReason::adjacent}, {"base", "hand", AllowedReason::never}}));
+  EXPECT_EQ(pairs_of("<disable_default_collisions link=\"hand\"/><enable_collisions link1=\"lamp\" link2=\"hand\"/>"),
+            (std::vector<AllowedPair>{{"base", "hand", AllowedReason::given}, {"arm", "hand", AllowedReason::given}}));
+  EXPECT_TRUE(
+      tells(message_of([&] { static_cast<void>(pairs_of("<disable_collisions link1=\"arm\" link2=\"bas\"/>")); }),
+            "robot.srdf:2: the robot has no link 'bas'; did you mean 'base'?"));
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(pairs_of("<disable_collisions link1=\"arm\"/>")); }),
+                    "robot.srdf:2: <disable_collisions> has no attribute link2"));
+}
+
+TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {
+  const TemporaryFolder folder;
+  const Robot robot(planar_robot());
+  const auto read = [&](const std::string& text) {
+    return read_configurations(folder.write("q.csv", text).string(), robot);
+  };
+  EXPECT_EQ(read("0.5, 1, 0.25\n# nothing\n\n-7 -2 1 # the last\n"), (std::vector<double>{0.5, 1, 0.25, -7, -2, 1}));
+  EXPECT_EQ(read("slide,shoulder,elbow\r\n0.25,0.5,1\r\n"), (std::vector<double>{0.5, 1, 0.25}));
+  const auto fault = [&](const std::string& text) {
+    const std::string message = message_of([&] { static_cast<void>(read(text)); });
+    return message.substr(std::min(message.find("q.csv"), message.size()));
+  };
+  EXPECT_EQ(fault("0,0,0\n1,2\n"), "q.csv:2: a line of 3 numbers has 2; give one for each position of the robot");
+  EXPECT_TRUE(tells(fault("0,0,0\n0,nan,0\n"), "q.csv:2: 'nan' is no number"));
+  EXPECT_TRUE(tells(fault("0,0,0\n0,1e999,0\n"), "q.csv:2: '1e999' is no number"));
+  EXPECT_TRUE(tells(fault("0,3.5,0\n"), "q.csv:1: the position of 'elbow' is 3.5, beyond its limits -3 to 3"));
+  EXPECT_TRUE(
+      tells(fault("shoulder,elbw,slide\n"), "q.csv:1: the robot has no position 'elbw'; did you mean 'elbow'?"));
+  EXPECT_TRUE(tells(fault("shoulder,elbow,elbow\n"), "is named twice"));
+  EXPECT_TRUE(tells(fault("shoulder,elbow\n"), "the position 'slide' is not named"));
+  EXPECT_TRUE(tells(fault("# nothing\n"), "the file holds no configuration"));
+}
+
+}  // namespace
+}  // namespace toccata::test
