@@ -3,23 +3,11 @@
 #include <array>
 #include <utility>
 
+#include "narrow/boxes/box_features.hpp"
 #include "narrow/convex/contact_choices.hpp"
 
 namespace toccata {
 namespace {
-
-constexpr std::array<std::array<Index, 4>, 6> corners_of_box_face = {
-    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-
-/// The lesser of the two half-edges between two corners, four to a face, as box_topology() has them.
-constexpr Index edge_between(Index p, Index q) {
-  for (Index h = 0; h < 24; ++h) {
-    const auto& corners = corners_of_box_face[h / 4];
-    const Index from = corners[h % 4], to = corners[(h + 1) % 4];
-    if ((from == p && to == q) || (from == q && to == p)) return h;
-  }
-  return 24;
-}
 
 /// What a face consists of: itself, its corners, and its sides, in the order of a BoxFace.
 struct FaceFeatures {

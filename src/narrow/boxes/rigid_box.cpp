@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "math/vec3_measures.hpp"
+#include "narrow/boxes/box_slack.hpp"
 
 namespace toccata {
 namespace {
@@ -18,18 +18,6 @@ double skew_of(const Mat3& m) {
   const double lengths = (std::fabs(dot(x, x) - 1) + std::fabs(dot(y, y) - 1)) + std::fabs(dot(z, z) - 1);
   const double angles = (std::fabs(dot(x, y)) + std::fabs(dot(y, z))) + std::fabs(dot(z, x));
   return (lengths + angles) + 0x1p-50;
-}
-
-/// Let u = 2^-53, M the sum of |R| (|c| + h) over all products and |t| the sum of the offset's magnitudes. A world
-/// corner is off by 4u M + u |t| at most (three products, three sums), by u M more where its local coordinates were
-/// rounded, and the centre by 4u M + u |t|; about the origin of the shape's frame the last two are exact. A column of a
-/// rigid pose has a sum of at most 1.74. The bounds below have a few percent to spare; underflow loses less than
-/// 2^-1000.
-double slack_of(const Box& box, const Pose& pose) {
-  const double offset = sum_of_magnitudes(pose.offset), halves = sum_of_magnitudes(box.half_extents());
-  const double centre = sum_of_magnitudes(box.centre());
-  const double roundings = centre == 0 ? 7.5 * halves + 1.25 * offset : 16.5 * (halves + centre) + 2.25 * offset;
-  return 0x1p-53 * roundings + 0x1p-1000;
 }
 
 }  // namespace

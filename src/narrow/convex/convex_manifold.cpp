@@ -14,6 +14,7 @@
 #include "narrow/convex/convex_separation.hpp"
 #include "narrow/convex/face_clipping.hpp"
 #include "narrow/convex/plain_scale.hpp"
+#include "narrow/primitives/pair_depths.hpp"
 
 // Where shapes meet with a face, the contact is a region: the incident face as far as it lies over the reference face.
 // The reference face is the one that turns most to the other shape, at most about two degrees beside the direction in
@@ -276,6 +277,7 @@ std::optional<Manifold> of_rigid_boxes(const PosedPolytope& a, const PosedPolyto
 Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (are_boxes(a, b))
     if (const std::optional<Manifold> found = of_rigid_boxes(a, b, workspace)) return *found;
+  if (const Manifold found = manifold_of_primitives(a, b); is_known(found)) return found;
   if (is_canonical_order(a, b)) return in_canonical_order(a, b, workspace);
   return flipped(in_canonical_order(b, a, workspace));
 }

@@ -9,6 +9,7 @@
 #include "narrow/convex/convex_containment.hpp"
 #include "narrow/convex/convex_separation.hpp"
 #include "narrow/convex/solid_check.hpp"
+#include "narrow/primitives/pair_depths.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -57,7 +58,11 @@ Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope
 Penetration penetration(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
   require_solids(a, b);
-  if (const std::optional<Penetration> found = penetration_by_closed_form(a, b)) {
+  const Penetration of_primitives = depth_of_primitives(a, b);
+  std::optional<Penetration> found;
+  if (is_known(of_primitives)) found = of_primitives;
+  if (!found) found = penetration_by_closed_form(a, b);
+  if (found) {
     if (workspace != nullptr) ++workspace->counts.closed_forms;
     return *found;
   }

@@ -10,6 +10,7 @@
 #include "narrow/boxes/box_corners.hpp"
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/convex/convex_of.hpp"
+#include "narrow/primitives/pair_depths.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/one_lane.hpp"
@@ -26,17 +27,7 @@ using OneNear = NearPoints<OneVector>;
 using OneReached = Reached<OneVector>;
 using OneFound = Found<OneVector>;
 
-HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
 HWY_INLINE bool is_set(const OneMask& mask) { return hn::AllTrue(OneTag(), mask); }
-
-HWY_INLINE void store(const OneVector& v, Vec3& to) {
-#if HWY_TARGET <= HWY_AVX2
-  hn::StoreU(hn::LowerHalf(v.xyz), hn::Half<Coordinates>(), &to.x);
-  to.z = first_of(z_of(v));
-#else
-  to = {first_of(v.x), first_of(v.y), first_of(v.z)};
-#endif
-}
 
 /// The formula tells nothing.
 HWY_INLINE OneFound nothing() {
@@ -289,12 +280,14 @@ Distance formula_distance(const PosedCapsule& a, const PosedCapsule& b) { return
 
 Distance distance(const PosedSphere& a, const PosedSphere& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(points)(a, b);
+  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
 
 Distance distance(const PosedSphere& a, const PosedCapsule& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(point_segment)(a, b);
+  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
@@ -307,12 +300,14 @@ Distance distance(const PosedSphere& a, const Triangle& b) {
 
 Distance distance(const PosedSphere& a, const PosedBox& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(point_box)(a, b);
+  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
 
 Distance distance(const PosedCapsule& a, const PosedCapsule& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(segments)(a, b);
+  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
@@ -345,6 +340,7 @@ Distance distance(const Sphere& a, const Pose& pose_a, const Triangle& b, const 
 
 Distance distance(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
   Distance found = HWY_DYNAMIC_DISPATCH(distance_of_sphere_box)(a, pose_a, b, pose_b);
+  if (!is_known(found)) found = close_formula_distance(a, pose_a, b, pose_b);
   if (!is_known(found)) found = distance(PosedSphere(a, pose_a), PosedBox(b, pose_b));
   return found;
 }

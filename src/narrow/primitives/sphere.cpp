@@ -68,6 +68,5 @@ bool overlap(const PosedCapsule& a, const Triangle& b) { return overlap(convex_o
 bool overlap(const PosedCapsule& a, const PosedBox& b) { return overlap(convex_of(a), convex_of(b)); }
 
 Distance distance(const PosedCapsule& a, const Triangle& b) { return distance(convex_of(a), convex_of(b)); }
-Distance distance(const PosedCapsule& a, const PosedBox& b) { return distance(convex_of(a), convex_of(b)); }
 
 }  // namespace toccata

@@ -76,6 +76,18 @@ HWY_INLINE OneVector in_one(const Vec3& v) { return in_one(v.x, v.y, v.z); }
 
 #endif
 
+HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
+HWY_INLINE OneVector scaled(double s, const OneVector& v) { return times(all<OneNumber>(s), v); }
+
+HWY_INLINE void store(const OneVector& v, Vec3& to) {
+#if HWY_TARGET <= HWY_AVX2
+  hn::StoreU(hn::LowerHalf(v.xyz), hn::Half<Coordinates>(), &to.x);
+  to.z = first_of(z_of(v));
+#else
+  to = {first_of(v.x), first_of(v.y), first_of(v.z)};
+#endif
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace toccata

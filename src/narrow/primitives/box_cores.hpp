@@ -1,0 +1,347 @@
+// A point or a segment beside a box: which of their features may be the nearest, found in the box's frame.
+// docs/design/primitive-depths.md. Included once for every SIMD level, like math/lanes.hpp.
+#if defined(TOCCATA_NARROW_BOX_CORES_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TOCCATA_NARROW_BOX_CORES_HPP
+#undef TOCCATA_NARROW_BOX_CORES_HPP
+#else
+#define TOCCATA_NARROW_BOX_CORES_HPP
+#endif
+
+#include "narrow/boxes/box_features.hpp"
+#include "narrow/boxes/box_slack.hpp"
+#include "narrow/primitives/grown_cores.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace toccata {
+namespace HWY_NAMESPACE {
+namespace {
+
+using ThreeNumbers = std::array<double, 3>;
+
+HWY_INLINE ThreeNumbers numbers_of(const OneVector& v) {
+  return {first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))};
+}
+
+/// A box under a pose that is rigid but for rounding. Its corners, which are rounded each by itself, are made where they
+/// are needed.
+template <class Corners>
+struct OneBlock {
+  const Mat3& axes;  ///< as columns
+  OneVector centre;  ///< in the world, rounded
+  OneVector half;
+  double slack;   ///< no corner is farther than this from centre ± half · axes
+  double radius;  ///< by which it is grown
+  Corners corner;
+
+  /// In the box's frame, from its centre.
+  [[nodiscard]] HWY_INLINE OneVector local(const OneVector& from_centre) const {
+    const ThreeNumbers w = numbers_of(from_centre);
+    return plus(plus(scaled(w[0], in_one(axes[0])), scaled(w[1], in_one(axes[1]))), scaled(w[2], in_one(axes[2])));
+  }
+  [[nodiscard]] HWY_INLINE OneVector turned(const OneVector& local) const {
+    return in_one(first_of(dot(in_one(axes[0]), local)), first_of(dot(in_one(axes[1]), local)),
+                  first_of(dot(in_one(axes[2]), local)));
+  }
+};
+
+struct GivenCorners {
+  const Box& box;
+  Placing placing;
+
+  [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const {
+    const Vec3 lower = box.centre() - box.half_extents(), upper = box.centre() + box.half_extents();
+    return placing({(i & 1U) != 0 ? upper.x : lower.x, (i & 2U) != 0 ? upper.y : lower.y,
+                    (i & 4U) != 0 ? upper.z : lower.z});
+  }
+};
+
+struct StoredCorners {
+  std::array<const double*, 3> along;
+
+  [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const { return in_one(along[0][i], along[1][i], along[2][i]); }
+};
+
+HWY_INLINE OneBlock<GivenCorners> in_world(const Box& box, const Pose& pose) {
+  return {pose.linear,          placed_in_one(pose, box.centre()), in_one(box.half_extents()),
+          slack_of(box, pose), 0,                                  {box, Placing(pose)}};
+}
+
+/// How a point lies beside a box. Distances in the box's frame are off by `error`: see rigid_overlap.cpp.
+struct BesideBox {
+  ThreeNumbers at, half;
+  ThreeNumbers beyond;  ///< the face; negative: before it
+  double squared = 0;   ///< of the distance, where it is not inside
+  double error = 0;
+  std::size_t across = 0;  ///< the axis along which it is the farthest beyond
+
+  /// Which corner is the nearest, and how it lies to the face, tells a bit for each axis.
+  [[nodiscard]] HWY_INLINE Index corner() const {
+    return static_cast<Index>(at[0] > 0) | static_cast<Index>(at[1] > 0) << 1U | static_cast<Index>(at[2] > 0) << 2U;
+  }
+  [[nodiscard]] HWY_INLINE bool is_before(std::size_t axis) const { return beyond[axis] < 0; }
+  /// Of the nearest point, from the nearest corner along an edge.
+  [[nodiscard]] HWY_INLINE double share(std::size_t axis) const {
+    return is_before(axis) ? -beyond[axis] / (2 * half[axis]) : 0;
+  }
+};
+
+template <class Corners>
+HWY_INLINE double frame_error(const OneBlock<Corners>& block, const OneVector& from_centre) {
+  return 0x1p-40 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) + 2 * block.slack;
+}
+
+HWY_INLINE BesideBox beside(const OneVector& local, const OneVector& half, double error) {
+  BesideBox b{numbers_of(local), numbers_of(half)};
+  b.error = error;
+  for (std::size_t k = 0; k < 3; ++k) {
+    b.beyond[k] = std::fabs(b.at[k]) - b.half[k];
+    const double outside = b.beyond[k] > 0 ? b.beyond[k] : 0;
+    b.squared += outside * outside;
+  }
+  b.across = b.beyond[1] > b.beyond[0] ? 1 : 0;
+  b.across = b.beyond[2] > b.beyond[b.across] ? 2 : b.across;
+  return b;
+}
+
+/// From the nearest point of the box, in the world.
+template <class Corners>
+HWY_INLINE OneVector way_from(const OneBlock<Corners>& block, const BesideBox& b) {
+  ThreeNumbers outside;
+  for (std::size_t k = 0; k < 3; ++k) outside[k] = b.is_before(k) ? 0 : std::copysign(b.beyond[k], b.at[k]);
+  return block.turned(in_one(outside[0], outside[1], outside[2]));
+}
+
+HWY_INLINE OneVector select(bool yes, const OneVector& a, const OneVector& b) {
+  return select(hn::Gt(all<OneNumber>(yes ? 1 : 0), hn::Zero(OneTag())), a, b);
+}
+
+/// Two edges of the box that leave its nearest corner, those of B turned round, and the way along the third. A face is
+/// bent by rounding: where its fourth corner is before the plane of the other three, the nearest point lies in a
+/// triangle with it.
+struct BoxSide {
+  OneVector corner;
+  std::array<CoreEdge, 2> edge;
+  OneVector beyond;
+  bool is_certain = false;  ///< the triangle
+};
+
+template <class Corners>
+HWY_INLINE BoxSide side_of(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point) {
+  const std::size_t i = b.across == 2 ? 0 : b.across + 1, j = b.across == 0 ? 2 : b.across - 1;
+  const Index first = b.corner(), at_i = first ^ Index{1} << i, at_j = first ^ Index{1} << j;
+  const OneVector c = block.corner(first), ci = block.corner(at_i), cj = block.corner(at_j),
+                  cij = block.corner(at_i ^ Index{1} << j), opposite = block.corner(first ^ Index{1} << b.across);
+  const double share_i = b.share(i), share_j = b.share(j);
+  const double inverse_i = 0.5 / b.half[i], inverse_j = 0.5 / b.half[j];
+  const LongVector one = exact_difference(cij, ci), other = exact_difference(cj, c);
+  const OneVector bend = plus(minus(one.high, other.high), minus(one.low, other.low));
+  const OneVector way = plus(minus(point, c), plus(scaled(share_i, minus(c, ci)), scaled(share_j, minus(c, cj))));
+  const double height = first_of(dot(bend, way));
+  const double sure = 0x1p-30 * (first_of(sum_of(magnitudes_of(bend))) * first_of(sum_of(magnitudes_of(way))));
+  const bool is_face = (share_i > 0) & (share_j > 0), is_before = is_face & (height > 0), i_first = share_i > share_j;
+  BoxSide side{c,
+               {{{select(is_before & !i_first, cj, c), select(is_before & !i_first, cij, ci), share_i,
+                  inverse_i * inverse_i},
+                 {select(is_before & i_first, ci, c), select(is_before & i_first, cij, cj), share_j,
+                  inverse_j * inverse_j}}},
+               minus(c, opposite)};
+  const bool is_inside = is_before ? std::fabs(share_i - share_j) > least_share : share_i + share_j < 1 - least_share;
+  side.is_certain = !is_face | (is_inside & ((std::fabs(height) > sure) | (sure == 0)));
+  return side;
+}
+
+/// The axes along which the feature at the nearest corner extends.
+HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
+  const unsigned free = static_cast<unsigned>(b.is_before(0)) | static_cast<unsigned>(b.is_before(1)) << 1U |
+                        static_cast<unsigned>(b.is_before(2)) << 2U;
+  return box_feature_at[free][b.corner()];
+}
+
+/// A point that is certainly outside of the box.
+template <class Corners>
+HWY_INLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock<Corners>& b, const BesideBox& beside_b,
+                                         bool& is_certain) {
+  const BoxSide side = side_of(b, beside_b, a.centre);
+  is_certain = side.is_certain;
+  return {{a.centre, side.corner, side.edge, {side.beyond}, b.slack},
+          a.radius,
+          b.radius,
+          a.centre,
+          minus(a.centre, way_from(b, beside_b)),
+          {},
+          feature_of(beside_b)};
+}
+
+// A point inside.
+
+HWY_INLINE OneVector face_normal(const Mat3& axes, std::size_t axis) {
+  const auto column = [&](std::size_t k) {
+    const int i = static_cast<int>(k % 3);
+    return in_one(axes[0][i], axes[1][i], axes[2][i]);
+  };
+  const OneVector normal = cross(column(axis + 1), column(axis + 2));
+  return scaled(1 / std::sqrt(first_of(dot(normal, normal))), normal);
+}
+
+/// The way out of the box's core, where one face is certainly the nearest.
+struct WayOut {
+  OneVector outwards;  ///< unit
+  double depth = 0;    ///< of the core
+  double error = 0;
+  ConvexFeature face;
+  bool is_known = false;
+};
+
+/// Along the normal of the face that is seen to be the nearest the box reaches as far as its edges tell; the other five
+/// are farther by more than the frame is off. Sums of products are off by less than 2^-50 of the sizes.
+template <class Corners>
+HWY_INLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& from_centre) {
+  WayOut way;
+  const std::size_t k = b.across;
+  bool is_least = true;
+  for (std::size_t other = 0; other < 3; ++other)
+    is_least = is_least & ((other == k) | (b.beyond[other] < b.beyond[k] - 4 * b.error));
+  is_least = is_least & (std::fabs(b.at[k]) > 4 * b.error) & (b.beyond[k] < -4 * b.error);
+  OneVector normal = face_normal(block.axes, k);
+  const ThreeNumbers along = numbers_of(block.local(normal));
+  if ((along[k] > 0) != (b.at[k] > 0)) normal = negative(normal);
+  double reach = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) reach += b.half[axis] * std::fabs(along[axis]);
+  way.outwards = normal;
+  way.depth = reach - first_of(dot(normal, from_centre));
+  way.error = 0x1p-49 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) + block.slack;
+  way.face = box_feature_at[7U ^ 1U << k][b.corner()];
+  way.is_known = is_least;
+  return way;
+}
+
+// A segment beside a box.
+
+/// Half of the derivative of the squared distance from the box, in its frame, for the point at + t · way: grows with t,
+/// and is linear between the places at which the way passes a face's plane.
+struct SlopeAlong {
+  ThreeNumbers at, way, half;
+
+  template <class N>
+  [[nodiscard]] HWY_INLINE N operator()(const N& t) const {
+    const auto part = [&](std::size_t k) {
+      const N x = hn::Add(all<N>(at[k]), hn::Mul(t, all<N>(way[k])));
+      return hn::Mul(all<N>(way[k]), hn::Sub(x, clamped_between(x, all<N>(-half[k]), all<N>(half[k]))));
+    };
+    return hn::Add(hn::Add(part(0), part(1)), part(2));
+  }
+};
+
+/// The share of the way at which it is nearest: the slopes at all six places and at both ends tell between which two it
+/// changes its sign.
+HWY_INLINE double nearest_share(const SlopeAlong& slope) {
+  alignas(64) double place[8];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double inverse = 1 / slope.way[k];
+    place[2 * k] = (-slope.half[k] - slope.at[k]) * inverse;
+    place[2 * k + 1] = (slope.half[k] - slope.at[k]) * inverse;
+  }
+  place[6] = 0;
+  place[7] = 1;
+  constexpr std::size_t lanes = hn::MaxLanes(tag);
+  const Number none = all(HUGE_VAL), zero = hn::Zero(tag), one = all(1);
+  Number low = hn::Neg(none), high = none, low_slope = hn::Neg(none), high_slope = none;
+  for (std::size_t part = 0; part < 8; part += lanes) {
+    const Number t = hn::Load(tag, place + part), here = slope(t);
+    const Mask within = hn::And(hn::Ge(t, zero), hn::Le(t, one));  // not NaN
+    const Mask down = hn::And(within, hn::Lt(here, zero)), up = hn::And(within, hn::Ge(here, zero));
+    low = greater(low, hn::IfThenElse(down, t, hn::Neg(none)));
+    low_slope = greater(low_slope, hn::IfThenElse(down, here, hn::Neg(none)));
+    high = lesser(high, hn::IfThenElse(up, t, none));
+    high_slope = lesser(high_slope, hn::IfThenElse(up, here, none));
+  }
+  const double from = hn::GetLane(hn::MaxOfLanes(tag, low)), to = hn::GetLane(hn::MinOfLanes(tag, high));
+  if (!(from >= 0)) return 0;
+  if (!(to <= 1)) return 1;
+  const double falls = hn::GetLane(hn::MaxOfLanes(tag, low_slope)),
+               rises = hn::GetLane(hn::MinOfLanes(tag, high_slope));
+  return clamped_to_share(from - falls * ((to - from) / (rises - falls)));
+}
+
+/// The nearest point of a segment, beside a box.
+struct RodBesideBox {
+  BesideBox nearest;
+  ThreeNumbers way;
+  double share = 0;
+  double least_squared = 0;  ///< the squared distance is no less than this, but for `nearest.error`
+};
+
+/// By the slope that is left, no point along the segment can be nearer than it tells: the squared distance is convex.
+/// Products are off by less than 2^-47 of the square of the sizes.
+template <class Corners>
+HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
+  const OneVector from = minus(a.start, b.centre), along = minus(a.end, a.start);
+  const OneVector local = b.local(from), way = b.local(along);
+  const SlopeAlong slope{numbers_of(local), numbers_of(way), numbers_of(b.half)};
+  RodBesideBox rod{{}, slope.way, nearest_share(slope)};
+  const double error = frame_error(b, plus(magnitudes_of(from), magnitudes_of(along)));
+  rod.nearest = beside(plus(local, scaled(rod.share, way)), b.half, error);
+  const double left = first_of(slope(all<OneNumber>(rod.share)));
+  const double down = rod.share > 0 ? left : 0, up = rod.share < 1 ? -left : 0;
+  const double violation = down > up ? down : up;
+  const double size = first_of(sum_of(plus(plus(magnitudes_of(local), magnitudes_of(way)), b.half)));
+  rod.least_squared = rod.nearest.squared - 2 * (violation > 0 ? violation : 0) - 0x1p-46 * (size * size);
+  return rod;
+}
+
+/// From within the segment, an edge of the box or a corner is seen.
+template <class Corners>
+HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+                                         bool& is_certain) {
+  const BesideBox& at = rod.nearest;
+  std::size_t k = at.beyond[1] < at.beyond[0] ? 1 : 0;
+  k = at.beyond[2] < at.beyond[k] ? 2 : k;
+  const std::size_t m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+  const Index first = at.corner();
+  const OneVector c = b.corner(first), end = b.corner(first ^ Index{1} << k), along = minus(a.end, a.start);
+  const double inverse = 0.5 / at.half[k];
+  is_certain = !at.is_before(m) & !at.is_before(n);
+  const OneVector on_a = plus(a.start, scaled(rod.share, along));
+  return {{a.start,
+           c,
+           {{{a.end, a.start, rod.share, 1 / first_of(dot(along, along))}, {c, end, at.share(k), inverse * inverse}}},
+           {minus(c, b.corner(first ^ Index{1} << m)), minus(c, b.corner(first ^ Index{1} << n))},
+           b.slack},
+          a.radius,
+          b.radius,
+          on_a,
+          minus(on_a, way_from(b, at)),
+          only_edge,
+          feature_of(at)};
+}
+
+template <class Corners>
+HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+                                         bool& is_certain) {
+  const bool at_end = rod.share >= 1;
+  const OneVector point = select(at_end, a.end, a.start), other = select(at_end, a.start, a.end);
+  const BoxSide side = side_of(b, rod.nearest, point);
+  is_certain = side.is_certain;
+  return {{point, side.corner, side.edge, {side.beyond, minus(other, point)}, b.slack},
+          a.radius,
+          b.radius,
+          point,
+          minus(point, way_from(b, rod.nearest)),
+          feature_at(rod.share),
+          feature_of(rod.nearest)};
+}
+
+/// The segment does not reach the box.
+template <class Corners>
+HWY_INLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+                                         bool& is_certain) {
+  if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
+  return cores_at_end(a, b, rod, is_certain);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace toccata
+HWY_AFTER_NAMESPACE();
+
+#endif
