@@ -74,6 +74,14 @@ SMOOTH = scene(
 SUMMED = scene(
     ("A", {"type": "convex-hull", "points": [[-1, -0.8, -0.5], [1, -0.8, -0.5], [0, 1, -0.5], [-1, -0.8, 0.5], [1, -0.8, 0.5], [0, 1, 0.5]]}, UPRIGHT, [3.4, -1, 0]),
     ("B", {"type": "convex-hull", "points": [[-0.6, -0.5, -0.5], [0.7, -0.4, -0.5], [0, 0.7, -0.4], [0.1, 0, 0.9]]}, UPRIGHT, [0.4, 3, 0]))
+# The skid of docs/guide/clash-check.md.
+SKID = {"format": "toccata-scene", "version": 1, "unit": "mm", "objects": [
+    {"name": "base", "generate": "box", "parameters": {"half-x": 400, "half-y": 200, "half-z": 10}},
+    {"name": "tank", "generate": "prism", "parameters": {"sides": 48, "radius": 120, "height": 300}, "pose": {"translation": [-200, 0, 10]}},
+    {"name": "bolts/1", "generate": "prism", "parameters": {"sides": 6, "radius": 8, "height": 40}, "pose": {"translation": [150, 150, -15]}},
+    {"name": "bolts/2", "generate": "prism", "parameters": {"sides": 6, "radius": 8, "height": 40}, "pose": {"translation": [150, -150, -15]}},
+    {"name": "pipes/supply", "generate": "box", "parameters": {"half-x": 300, "half-y": 15, "half-z": 15}, "pose": {"translation": [200, 0, 200]}},
+    {"name": "pipes/return", "generate": "box", "parameters": {"half-x": 200, "half-y": 15, "half-z": 15}, "pose": {"translation": [200, 0, 233]}}]}
 KNOT, RING = "gen:torus-knot", "gen:torus"
 CAGE, LIMIT = "cage.obj", "limit.obj"
 BUNNY = str(pathlib.Path(os.environ.get("TOCCATA_DATA", "")) / "meshes/stanford-bunny.obj")  # Stanford 3D Scanning Repository
@@ -84,6 +92,7 @@ NEAR = ["--penetration", "--clearance", "all"]
 WANTED = {
     "demo": (["scenes/a.obj", "scenes/b.stl"], [], "finding=0&grid=0"),
     "contact": ("gears", ["--penetration"], "finding=0&off=normal"),
+    "clash": (SKID, ["--penetration"], "finding=3&through=1&grid=0&camera=-0.1,0,0.25,2.2,-1.0,0.4"),
     "triangles": (TRIANGLES, [], "finding=0&through=1"),
     "polygon": (POLYGON, [], ""),
     "plane": (PLANE, [], "finding=0"),

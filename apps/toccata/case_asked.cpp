@@ -52,7 +52,8 @@ int exit_code_of(const SceneAnswer& answer) {
 }
 
 bool changes_objects(const PosedArguments& arguments) {
-  return arguments.solid || arguments.input.scale != 1 || !arguments.input.unit.empty() || arguments.pose_a ||
+  const InputArguments& input = arguments.input;
+  return arguments.solid || input.scale != 1 || !input.unit.empty() || !input.close.empty() || arguments.pose_a ||
          arguments.pose_b || !arguments.poses.empty();
 }
 

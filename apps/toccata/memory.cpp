@@ -72,6 +72,8 @@ double factor_of(const fs::path& file) {
   if (extension == ".stl") return binary ? 2.5 : 1.5;
   if (extension == ".ply") return binary ? 6.5 : 3;
   if (extension == ".obj" || extension == ".off") return 3;
+  if (extension == ".3mf") return 40;  // the text that it unpacks to, and its tree
+  if (extension == ".step" || extension == ".stp" || extension == ".ifc") return 20;
   return extension == ".glb" ? 6.5 : 1;
 }
 

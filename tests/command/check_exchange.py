@@ -20,11 +20,12 @@ COMMAND = str(pathlib.Path(sys.argv[1]).resolve())
 ENVIRONMENT = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
 
 # Two boxes that overlap by 0.5, one that touches the first, one nearer than 2 mm; names that XML and JSON have to escape.
+LARGE, SMALL = '"parameters": {"half-x": 1, "half-y": 1, "half-z": 1}', '"parameters": {"half-x": 0.4, "half-y": 1, "half-z": 1}'
 SCENE = """{"format": "toccata-scene", "version": 1, "unit": "cm", "objects": [
-  {"name": "a <&> \\"b\\"", "generate": "box"},
-  {"name": "Wall [2O2Fr$t4X7Zf8NOew3FLOH]", "generate": "box", "pose": {"translation": [1.5, 0, 0]}},
-  {"name": "tabs\\tand ü", "generate": "box", "pose": {"translation": [0, 2, 0]}},
-  {"name": "near", "generate": "box", "pose": {"translation": [0, -2.125, 0]}}]}"""
+  {"name": "a <&> \\"b\\"", "generate": "box", LARGE},
+  {"name": "Wall [2O2Fr$t4X7Zf8NOew3FLOH]", "generate": "box", LARGE, "pose": {"translation": [1.5, 0, 0]}},
+  {"name": "tabs\\tand ü", "generate": "box", SMALL, "pose": {"translation": [-0.5, 2, 0]}},
+  {"name": "near", "generate": "box", SMALL, "pose": {"translation": [-0.5, -2.125, 0]}}]}""".replace("LARGE", LARGE).replace("SMALL", SMALL)
 
 
 def run(folder, *words, code):
@@ -71,7 +72,7 @@ def check_sarif(folder):
 def check_sarif_baseline(folder):
     """States against a baseline: one stays, one is new, one has gone."""
     (folder / "old.json").write_text(run(folder, "the scene.json", "--json", code=1).stdout)
-    (folder / "moved.json").write_text(SCENE.replace("[0, 2, 0]", "[0, 9, 0]").replace("[0, -2.125, 0]", "[0, -2, 0]"))
+    (folder / "moved.json").write_text(SCENE.replace("[-0.5, 2, 0]", "[0, 9, 0]").replace("-2.125", "-2"))
     run(folder, "moved.json", "--baseline", "old.json", "--sarif", "since.sarif", code=1)
     states = [result["baselineState"] for result in json.loads((folder / "since.sarif").read_text())["runs"][0]["results"]]
     assert states == ["unchanged", "new", "absent"], states

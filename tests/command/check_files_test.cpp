@@ -103,6 +103,11 @@ TEST_F(CheckFiles, SplitMakesPartsObjectsAndAReportTellsSo) {
   EXPECT_EQ(run({"view", "report.json", "-o", "page.html"}).exit_code, 0);
 }
 
+TEST_F(CheckFiles, EqualMeshesOfSeveralFilesAreOne) {
+  EXPECT_EQ(run({"check", "parts", "gen:box", "--save-case", "case.json"}).exit_code, 1);
+  EXPECT_EQ(Json::parse(test::text_of(folder.path() / "case.json"))["meshes"].size(), 2U);
+}
+
 TEST_F(CheckFiles, NumbersOfAPoseEndWhereFilesBegin) {
   const Words far{"1", "0", "0", "9", "0", "1", "0", "0", "0", "0", "1", "0", "0", "0", "0", "1"};
   Words words{"check", "--pose-b"};

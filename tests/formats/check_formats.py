@@ -66,9 +66,9 @@ def check_step(folder):
     assert 3.14159 * 4.99**2 * 40 < fine["signed_volume"] <= 3.14160 * 25 * 40, fine["signed_volume"]
     assert fine["triangles"] > report(folder, "inspect", "machine.step", "--tessellation", "1mm")["objects"][1]["triangles"]
     assert "no length above 0" in run(folder, "check", "machine.step", "--tessellation", "much").stderr
-    subprocess.run([writer, folder / "inch.step", "IN"], check=True, capture_output=True)
-    inch = report(folder, "check", "inch.step")
-    assert inch["unit"] == "mm" and abs(inch["objects"][5]["pose"][11] - 530) < 1e-9, inch["objects"][5]["pose"]
+    subprocess.run([writer, folder / "inch.step", "INCH"], check=True, capture_output=True)
+    inch = report(folder, "check", "inch.step")  # the same numbers in inches
+    assert inch["unit"] == "mm" and abs(inch["objects"][5]["pose"][11] - 25.4 * 530) < 1e-9, inch["objects"][5]["pose"]
     assert any("its unit is the INCH" in warning for warning in inch["warnings"]), inch["warnings"]
 
 
@@ -83,14 +83,14 @@ def check_broken_step(folder):
     # Whatever a byte says instead, the command answers or names the file; Open CASCADE itself breaks down over a third of these.
     random.seed(1)
     answered = 0
-    for _ in range(40):
+    for _ in range(12):
         bytes_of = bytearray(whole)
         for _ in range(random.choice([1, 5, 30])):
             bytes_of[random.randrange(len(bytes_of))] = random.choice(b"0123456789#(),*$ABC")
         (folder / "bad.step").write_bytes(bytes_of)
         result = run(folder, "check", "bad.step")
         answered += result.returncode in (0, 1)
-        assert result.returncode in (0, 1) or "toccata: error: bad.step: " in result.stderr, result
+        assert result.returncode in (0, 1) or "toccata: error: bad.step" in result.stderr, result
     assert answered > 0
 
 
