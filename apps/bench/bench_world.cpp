@@ -27,7 +27,9 @@ struct WorldRow {
 };
 
 BodyCrowd crowd_of(const WorldArguments& arguments) {
-  return BodyCrowd(arguments.count, arguments.contact, arguments.seed);
+  if (arguments.scene.empty() || arguments.scene == "fly")
+    return BodyCrowd(arguments.count, arguments.contact, arguments.seed);
+  return BodyCrowd(arguments.scene, arguments.count, arguments.seed);
 }
 
 /// The pairs in contact, frame by frame, by `check_all`, which knows nothing of worlds.
@@ -71,7 +73,8 @@ WorldRow measured(WorldLibrary& library, int threads, const WorldArguments& argu
 std::vector<WorldRow> rows_of(const WorldArguments& arguments, const std::vector<Pairs>& truth) {
   std::vector<WorldRow> rows;
   for (const int threads : arguments.threads)
-    rows.push_back(measured(*toccata_world(threads), threads, arguments, truth));
+    for (const bool manifolds : {false, true})
+      rows.push_back(measured(*toccata_world(threads, manifolds), threads, arguments, truth));
   for (const std::string& peer : arguments.peers)
     rows.push_back(measured(*(peer == "fcl" ? fcl_world() : bullet_world()), 1, arguments, truth));
   return rows;
@@ -106,7 +109,8 @@ int run_world(const WorldArguments& arguments) {
   const std::vector<Pairs> truth = truth_of(arguments);
   const std::vector<WorldRow> rows = rows_of(arguments, truth);
   if (arguments.json) {
-    Json report = report_of("world", {{"count", arguments.count},
+    Json report = report_of("world", {{"scene", arguments.scene.empty() ? "fly" : arguments.scene},
+                                      {"count", arguments.count},
                                       {"contact", arguments.contact},
                                       {"frames", arguments.frames},
                                       {"seed", arguments.seed}});

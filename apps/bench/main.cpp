@@ -341,7 +341,10 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
                    "peers: beside other libraries; space-time: with and without WorldOptions::space_time")
       ->check(CLI::IsMember({"peers", "space-time"}))
       ->capture_default_str();
-  world->add_option("--scene", arguments.scene, "of the task space-time: one of its scenes, by name; else all");
+  world->add_option("--scene", arguments.scene,
+                    "of the task peers: fly (standard), stacks, pile, floor or terrain; of the task space-time: one of "
+                    "its scenes, by "
+                    "name, else all");
   add_number(*world, "--rounds", arguments.rounds, "of the task space-time; the least times count");
   add_number(*world, "--count", arguments.count, "boxes, spheres, capsules and hulls, as many of each");
   world->add_option("--contact", arguments.contact, "about the share of them that is in contact")
@@ -359,6 +362,7 @@ void add_world(CLI::App& app, WorldArguments& arguments) {
   add_json(*world, arguments.json);
   world->footer(
       "Examples:\n  ./toccata bench world --count 10000 --peer bullet,fcl\n"
+      "  ./toccata bench world --scene stacks --count 10000 --threads 1 --peer bullet,fcl\n"
       "  ./toccata bench world --task space-time --count 5000 --frames 200");
 }
 

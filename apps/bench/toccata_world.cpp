@@ -9,16 +9,17 @@ namespace {
 
 class ToccataWorld final : public WorldLibrary {
  public:
-  explicit ToccataWorld(int threads) : world_({.threads = threads}) {}
+  ToccataWorld(int threads, bool manifolds) : world_({.manifold = manifolds, .threads = threads}) {}
 
   Description description() const override {
-    return {"toccata", "World", version,
+    return {"toccata", world_.options().manifold ? "World with manifolds" : "World", version,
             fmt::format("{}, {} -ffp-contract=off", TOCCATA_BENCH_COMPILER, TOCCATA_BENCH_FLAGS)};
   }
   void add(std::span<const Shape> shapes, std::span<const Pose> poses) override {
     std::vector<Body> bodies;
     for (std::size_t i = 0; i < shapes.size(); ++i) bodies.push_back({Model(shapes[i]), poses[i]});
     ids_ = world_.add(bodies);
+    world_.prepare();
   }
   void step(std::span<const Pose> poses) override {
     world_.move(ids_, poses);
@@ -37,6 +38,8 @@ class ToccataWorld final : public WorldLibrary {
 
 }  // namespace
 
-std::unique_ptr<WorldLibrary> toccata_world(int threads) { return std::make_unique<ToccataWorld>(threads); }
+std::unique_ptr<WorldLibrary> toccata_world(int threads, bool manifolds) {
+  return std::make_unique<ToccataWorld>(threads, manifolds);
+}
 
 }  // namespace toccata::bench

@@ -82,6 +82,7 @@ struct CrowdArguments : PosedArguments {
   std::string method = "auto";
   std::string bounds = "boxes";  ///< "boxes", "balls" or "oriented"
   bool world = false;            ///< bodies of many shapes in a World instead of boxes
+  std::string bodies = "fly";    ///< what these do, one of body_crowd_scenes
   bool compare = false;          ///< all methods instead of the one
   std::uint64_t seed = 1;
   std::string cells = "method";  ///< those that the page shows, or "tracked"

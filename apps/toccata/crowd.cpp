@@ -45,8 +45,8 @@ CrowdBounds bounds_of(const CrowdArguments& arguments) {
 
 SceneQuestion question_of(const CrowdArguments& arguments) {
   if (arguments.world)
-    return CrowdWorldQuestion{arguments.count, arguments.frames, broad_phase_method(arguments.method), arguments.seed,
-                              arguments.threads};
+    return CrowdWorldQuestion{arguments.count, arguments.frames,  broad_phase_method(arguments.method),
+                              arguments.seed,  arguments.threads, arguments.bodies};
   return CrowdQuestion{
       arguments.scene,
       arguments.count,
@@ -96,6 +96,19 @@ std::vector<CLI::Option*> add_flight(CLI::App& app, CrowdArguments& crowd) {
           ->capture_default_str()};
 }
 
+/// What bodies in a World do.
+CLI::Option* add_bodies(CLI::App& app, CrowdArguments& crowd) {
+  std::vector<std::string> scenes;
+  for (const NamedScene& scene : body_crowd_scenes()) scenes.push_back(scene.name);
+  return app
+      .add_option(
+          "--bodies", crowd.bodies,
+          "what they do in the World: fly in a room, stand in stacks and roll between them, lie in a pile, fall "
+          "on a floor or on the triangles of a terrain")
+      ->check(CLI::IsMember(scenes))
+      ->capture_default_str();
+}
+
 /// What bodies in a World do not have.
 std::vector<CLI::Option*> add_boxes(CLI::App& app, CrowdArguments& crowd) {
   std::vector<std::string> scenes, bounds;
@@ -124,7 +137,9 @@ std::string crowd_words(const CrowdQuestion& question) {
 }
 
 std::string crowd_words(const CrowdWorldQuestion& question) {
-  return counted(question.count, "body", "bodies") + (question.count == 1 ? " that flies" : " that fly");
+  const std::string bodies = counted(question.count, "body", "bodies");
+  if (question.scene != "fly") return fmt::format("{} ({})", bodies, question.scene);
+  return bodies + (question.count == 1 ? " that flies" : " that fly");
 }
 
 std::string table_of(const CheckInput&, const CrowdReport& report) {
@@ -166,10 +181,11 @@ Subcommand add_crowd(CLI::App& app) {
   CLI::Option* compare =
       crowd->add_flag("--compare", arguments->compare, "all methods that can bear so many, one after the other");
   compare->excludes(flight.back());
-  CLI::Option* world = crowd->add_flag(
-      "--world", arguments->world,
-      "instead of boxes, spheres, boxes, capsules and hulls that fly in a World: which are in contact, exactly");
+  CLI::Option* world =
+      crowd->add_flag("--world", arguments->world,
+                      "instead of boxes, spheres, boxes, capsules and hulls in a World: which are in contact, exactly");
   world->excludes(compare);
+  add_bodies(*crowd, *arguments)->needs(world)->excludes(files);
   for (CLI::Option* option : boxes) world->excludes(option->excludes(files));
   for (CLI::Option* option : flight) option->excludes(files);
   compare->excludes(files);
@@ -187,6 +203,7 @@ Subcommand add_crowd(CLI::App& app) {
                 "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
                 "  {0} crowd --count 2000 --frames 100 --html crowd.html\n"
                 "  {0} crowd --world --count 500 --frames 60 --html world.html --save-case world.json\n"
+                "  {0} crowd --world --bodies terrain --count 300 --frames 100 --html terrain.html\n"
                 "  {0} crowd world.json --glb world.glb"));
   return {crowd, [arguments] { return run_crowd(*arguments); }};
 }

@@ -166,8 +166,7 @@ const Bvh<Aabb>& Model::tree() const {
 
 std::span<const OrientedBlock> Model::oriented_boxes() const {
   const TriangleMesh& triangles = mesh();
-  std::call_once(parts_->oriented_made,
-                 [&] {
+  std::call_once(parts_->oriented_made, [&] {
     parts_->oriented_boxes = toccata::oriented_boxes(parts_->wide_bvh, triangles);
     parts_->tell_made(ModelPart::turned_boxes);
   });
@@ -176,8 +175,7 @@ std::span<const OrientedBlock> Model::oriented_boxes() const {
 
 std::span<const WindingMoments> Model::winding_moments() const {
   const TriangleMesh& triangles = mesh();
-  std::call_once(parts_->moments_made,
-                 [&] {
+  std::call_once(parts_->moments_made, [&] {
     parts_->winding_moments = toccata::winding_moments(parts_->wide_bvh, triangles);
     parts_->tell_made(ModelPart::winding);
   });

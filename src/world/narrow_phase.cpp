@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <hwy/cache_control.h>
 
@@ -84,9 +86,30 @@ AnswerLasts while_held(const PosedPolytope& a, const Body& b, const UndecidedPai
   return left > 0 ? AnswerLasts{.offset = centre, .radius = radius, .turning = 0} : AnswerLasts{};
 }
 
+/// Whether two are in contact, and their manifolds where these are wanted, which tell it too.
+struct Touch {
+  bool wants_manifolds = false;
+  std::vector<ModelManifold> manifolds{};
+
+  bool found(const PosedPolytope& a, const PosedPolytope& b, SimplexCache& workspace) {
+    if (!wants_manifolds) return overlap(a, b, &workspace);
+    const Manifold manifold = toccata::manifold(a, b, &workspace);
+    if (manifold.count == 0) return false;
+    manifolds = {{manifold}};
+    return true;
+  }
+
+  bool found(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+    if (!wants_manifolds) return overlap(a, b, query, workspace);
+    MetManifolds met = manifolds_where_met(a, b, query, workspace);
+    manifolds = std::move(met.manifolds);
+    return met.in_contact;
+  }
+};
+
 /// What `within_distance` and `overlap` answer, of two convex ones.
 BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const Body& body_b, UndecidedPair& wanted,
-                         SimplexCache& workspace) {
+                         Touch& touch, SimplexCache& workspace) {
   const double margin = wanted.margin;
   if (wanted.enough > 0) {
     const DirectedGap gap = certain_gap(a, b, margin + wanted.enough, &workspace);
@@ -97,7 +120,7 @@ BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const B
   }
   if (margin > 0 && !std::isinf(margin) && !nearby(a, b, WantedDistance::within(margin), &workspace))
     return BodyNearness::apart;
-  const bool in_contact = overlap(a, b, &workspace);
+  const bool in_contact = touch.found(a, b, workspace);
   if (!in_contact && margin == 0) return BodyNearness::apart;
   if (wanted.of_told)
     wanted.lasts = in_contact ? while_held(a, body_b, wanted, workspace)
@@ -106,11 +129,11 @@ BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const B
 }
 
 /// What `within_distance` and `overlap` answer.
-BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Workspace& workspace) {
+BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Touch& touch, Workspace& workspace) {
   std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
-  if (placed_b) return nearness_of(*placed_a, *placed_b, b, wanted, cleared(workspace).scratch().convex);
+  if (placed_b) return nearness_of(*placed_a, *placed_b, b, wanted, touch, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
   const double margin = wanted.margin;
   std::optional<Distance> known;
@@ -122,7 +145,7 @@ BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Wo
     }
   }
   const bool is_far = margin > 0 && !within_distance(a.model, b.model, margin, query, cleared(workspace));
-  if (!is_far && overlap(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
+  if (!is_far && touch.found(a.model, b.model, query, cleared(workspace))) return BodyNearness::contact;
   const bool is_near = !is_far && margin > 0;
   if (known && (!is_near || wanted.of_told))
     wanted.lasts = while_near(is_near ? near_until(*known, margin) : beyond_margin(known->lower, margin));
@@ -166,10 +189,15 @@ void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_
 
 void NarrowPhase::decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair,
                          Workspace& workspace) const {
-  pair.nearness = nearness_of(a, b, wanted, workspace);
-  if (tells_details(options_) && is_told(pair.nearness))
-    pair.details = std::make_shared<const PairDetails>(
-        details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace)));
+  Touch touch{options_.manifold};
+  pair.nearness = nearness_of(a, b, wanted, touch, workspace);
+  if (!tells_details(options_) || !is_told(pair.nearness)) return;
+  PairDetails details = details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace));
+  details.manifolds = std::move(touch.manifolds);
+  if (options_.manifold && pair.nearness == BodyNearness::contact &&
+      is_defined(ShapeQuestion::manifold, a.model, b.model))
+    details.manifold = plain(details.manifolds);
+  pair.details = std::make_shared<const PairDetails>(std::move(details));
 }
 
 void NarrowPhase::add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
@@ -196,10 +224,6 @@ PairDetails NarrowPhase::details_of(const Body& a, const Body& b, bool in_contac
   if (options_.contacts) {
     const auto found = contacts(a.model, b.model, query, workspace);
     details.contacts.assign(found.begin(), found.end());
-  }
-  if (options_.manifold) {
-    details.manifolds = manifolds_of(a.model, b.model, query, true, workspace);
-    if (is_defined(ShapeQuestion::manifold, a.model, b.model)) details.manifold = plain(details.manifolds);
   }
   if (options_.penetration) {
     const Relation lie = details.relation ? *details.relation : relation(a.model, b.model, query, workspace);

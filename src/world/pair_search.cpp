@@ -160,8 +160,10 @@ std::optional<BodyPairAnswer<Distance>> BodyPairSearch::nearest(double max_dista
     const IndexPair pair = ordered(one, other);
     if (nearest.is_needless(pair) || !is_wanted(pair)) return;
     const double limit = nearest.limit();
-    const auto found = ask(pair, workspace, [&](const Model& a, const Model& b, const PairQuery& query,
-                                                Workspace& memory) { return distance_within(a, b, limit, query, memory); });
+    const auto found =
+        ask(pair, workspace, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
+          return distance_within(a, b, limit, query, memory);
+        });
     if (found) nearest.take(*found, pair);
   };
   const auto search_from = [&](Index body) {

@@ -307,9 +307,8 @@ Refit World::State::deform(BodyId id, std::vector<Vec3> vertices) {
 
 void World::State::prepare() const {
   std::vector<ModelPart> wanted{ModelPart::solidity, ModelPart::leaf_triangles};
-  const bool has_margins = std::ranges::any_of(slots_, [](const Slot& slot) {
-    return slot.is_used && (slot.margin > 0 || slot.rule_margin > 0);
-  });
+  const bool has_margins = std::ranges::any_of(
+      slots_, [](const Slot& slot) { return slot.is_used && (slot.margin > 0 || slot.rule_margin > 0); });
   if (options_.distance || options_.space_time || has_margins) wanted.push_back(ModelPart::turned_boxes);
   if (options_.manifold) wanted.push_back(ModelPart::neighbours);
   for (Index i = 0; i < slots_.size(); ++i)

@@ -58,7 +58,7 @@ TEST(CrowdCommand, FindsTheSamePairsInAWorldByEveryMethod) {
     const auto run = run_command(all);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json json = Json::parse(run.out);
-    EXPECT_EQ(json["schema"], "toccata/crowd-world/2");
+    EXPECT_EQ(json["schema"], "toccata/crowd-world/3");
     EXPECT_EQ(json["count"], 400);
     EXPECT_EQ(json["frames"], 30);
     EXPECT_GT(json["pairs"], 0);
@@ -68,6 +68,25 @@ TEST(CrowdCommand, FindsTheSamePairsInAWorldByEveryMethod) {
     answers.insert(Json({json["pairs"], json["begin"], json["end"], json["digest"]}).dump());
   }
   EXPECT_EQ(answers.size(), 1U);
+}
+
+TEST(CrowdCommand, LetsBodiesStandLieAndFallInAWorld) {
+  for (const std::string scene : {"stacks", "pile", "floor", "terrain"}) {
+    std::set<std::string> answers;
+    for (const std::string threads : {"1", "2"}) {
+      const auto run = run_command(
+          {"crowd", "--world", "--bodies", scene, "--count", "150", "--frames", "20", "--threads", threads, "--json"});
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      const Json json = Json::parse(run.out);
+      EXPECT_EQ(json["scene"], scene);
+      EXPECT_GT(json["pairs"], 50) << scene;
+      answers.insert(json["digest"].dump());
+    }
+    EXPECT_EQ(answers.size(), 1U) << scene;
+  }
+  const auto run = run_command({"crowd", "--world", "--bodies", "stacks", "--count", "20", "--frames", "1"});
+  EXPECT_TRUE(run.out.starts_with("20 bodies (stacks), 1 frame\n")) << run.out;
+  EXPECT_EQ(run_command({"crowd", "--bodies", "stacks"}).exit_code, 2);
 }
 
 /// Some where options are read, some before a World is made.

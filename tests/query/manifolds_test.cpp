@@ -138,11 +138,13 @@ TEST(Manifolds, OfABoxThatRestsOnManyTrianglesHaveItsCorners) {
 /// A ball that rolls over edges and vertices of a bumpy surface is pushed from the nearest point of the surface.
 TEST(Manifolds, OfABallLeadFromTheNearestPointOfTheSurface) {
   Random random(11);
-  const Model hills(sheet(random, 9, 3, 0.3, [](double x, double y) { return 0.4 * std::sin(3 * x) * std::cos(2 * y); }));
+  const Model hills(
+      sheet(random, 9, 3, 0.3, [](double x, double y) { return 0.4 * std::sin(3 * x) * std::cos(2 * y); }));
   const Model ball(Sphere(0.15));
   int seen = 0;
   for (int i = 0; i < 4000; ++i) {
-    const Pose pose = Pose::translation(random.between(-2.5, 2.5), random.between(-2.5, 2.5), random.between(-0.3, 0.6));
+    const Pose pose =
+        Pose::translation(random.between(-2.5, 2.5), random.between(-2.5, 2.5), random.between(-0.3, 0.6));
     const Distance centre = distance(hills, Point({0, 0, 0}), {.pose_b = pose});
     if (!(centre.upper < 0.15 && centre.upper > 0.12)) continue;
     ++seen;
@@ -151,7 +153,8 @@ TEST(Manifolds, OfABallLeadFromTheNearestPointOfTheSurface) {
     const Vec3 way = (1 / centre.upper) * (centre.on_b - centre.on_a);
     bool is_there = false;
     for (const ModelManifold& one : found) {
-      is_there = is_there || (dot(one.normal, way) > 1 - 1e-9 && std::fabs(deepest_of(one) - (0.15 - centre.upper)) < 1e-9);
+      is_there =
+          is_there || (dot(one.normal, way) > 1 - 1e-9 && std::fabs(deepest_of(one) - (0.15 - centre.upper)) < 1e-9);
       // Nothing pushes harder than that, nor to where the surface is.
       EXPECT_LE(deepest_of(one), 0.15 - centre.upper + 1e-9) << i;
     }
@@ -160,8 +163,8 @@ TEST(Manifolds, OfABallLeadFromTheNearestPointOfTheSurface) {
   EXPECT_GT(seen, 100);
 }
 
-/// A closed mesh that is convex, met by something a little: some manifold tells a way out of the whole mesh, which mostly
-/// is hardly longer than the shortest (not so where two sharp corners meet), and none leads inwards.
+/// A closed mesh that is convex, met by something a little: some manifold tells a way out of the whole mesh, which
+/// mostly is hardly longer than the shortest (not so where two sharp corners meet), and none leads inwards.
 TEST(Manifolds, OfAConvexMeshTellAShortWayOut) {
   Random random(5);
   const Model box_mesh(generate_mesh("box"));
@@ -231,7 +234,8 @@ TEST(Manifolds, OfABallInACornerAreThree) {
 /// A box beside a block whose top ends a little above the box's: it is pushed aside, and not up by its whole height.
 TEST(Manifolds, OfABoxBesideABlockLeadAside) {
   const Model block(test::box_between({-4, -4, -4}, {0, 4, 0}));
-  const auto found = manifolds(block, Box({0.5, 0.5, 0.5}), {.pose_b = Pose::translation(0.5 - 0.01, 0.3, -0.5 + 1e-4)});
+  const auto found =
+      manifolds(block, Box({0.5, 0.5, 0.5}), {.pose_b = Pose::translation(0.5 - 0.01, 0.3, -0.5 + 1e-4)});
   ASSERT_FALSE(found.empty());
   for (const ModelManifold& one : found) {
     EXPECT_LE(deepest_of(one), 0.0101);

@@ -206,8 +206,12 @@ SceneQuestion question(Random& random, const Scene& of) {
                            1,
                            yes ? CrowdBounds::balls : CrowdBounds::oriented};
     case 10:
-      return CrowdWorldQuestion{30, 3, yes ? BroadPhaseMethod::uniform_grid : BroadPhaseMethod::automatic,
-                                random.bits(), 1};
+      return CrowdWorldQuestion{30,
+                                3,
+                                yes ? BroadPhaseMethod::uniform_grid : BroadPhaseMethod::automatic,
+                                random.bits(),
+                                1,
+                                yes ? "terrain" : "stacks"};
     case 7:
       return InspectQuestion{false, random.below(4) == 0, yes};
     case 11: {

@@ -265,8 +265,8 @@ class WorldLife {
             PairState::defined;
     if (told.manifold != (has_manifold ? std::optional(manifold(a.model, b.model, query)) : std::nullopt))
       return "another manifold";
-    if (told.manifolds != (asked.manifold && report.in_contact ? manifolds(a.model, b.model, query)
-                                                               : std::vector<ModelManifold>{}))
+    if (told.manifolds !=
+        (asked.manifold && report.in_contact ? manifolds(a.model, b.model, query) : std::vector<ModelManifold>{}))
       return "other manifolds";
     if (told.penetration && told.penetration != penetration(a.model, b.model, query)) return "another penetration";
     return {};

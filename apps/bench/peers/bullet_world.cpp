@@ -3,10 +3,15 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "peers/bullet_shapes.hpp"
 #include "world.hpp"
@@ -14,8 +19,34 @@
 namespace toccata::bench {
 namespace {
 
+/// A mesh for Bullet, which refers to the vertices and indices.
+class BulletTerrain {
+ public:
+  explicit BulletTerrain(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {
+    for (const auto& corners : mesh_->triangles())
+      for (const Index corner : corners) indices_.push_back(static_cast<int>(corner));
+    for (const Vec3& v : mesh_->vertices()) coordinates_.insert(coordinates_.end(), {v.x, v.y, v.z});
+    view_ = std::make_unique<btTriangleIndexVertexArray>(
+        static_cast<int>(mesh_->triangle_count()), indices_.data(), static_cast<int>(3 * sizeof(int)),
+        static_cast<int>(mesh_->vertices().size()), coordinates_.data(), static_cast<int>(3 * sizeof(btScalar)));
+  }
+  [[nodiscard]] std::unique_ptr<btCollisionShape> shape() const {
+    return without_margin(std::make_unique<btBvhTriangleMeshShape>(view_.get(), true));
+  }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  std::vector<int> indices_;
+  std::vector<btScalar> coordinates_;
+  std::unique_ptr<btTriangleIndexVertexArray> view_;
+};
+
 struct Convert {
   using Made = std::unique_ptr<btCollisionShape>;
+  Made operator()(const HeightField& shape) const {
+    terrains.push_back(std::make_unique<BulletTerrain>(shape.mesh()));
+    return terrains.back()->shape();
+  }
   Made operator()(const Sphere& shape) const { return converted(shape); }
   Made operator()(const Box& shape) const { return converted(shape); }
   Made operator()(const Capsule& shape) const { return converted(shape); }
@@ -24,6 +55,8 @@ struct Convert {
   Made operator()(const Other&) const {
     throw std::logic_error("a shape that crowds do not have");
   }
+
+  std::vector<std::unique_ptr<BulletTerrain>>& terrains;
 };
 
 bool touch(const btPersistentManifold& manifold) {
@@ -47,7 +80,7 @@ class BulletWorld final : public WorldLibrary {
   }
   void add(std::span<const Shape> shapes, std::span<const Pose> poses) override {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      shapes_.push_back(std::visit(Convert{}, shapes[i]));
+      shapes_.push_back(std::visit(Convert{terrains_}, shapes[i]));
       objects_.push_back(std::make_unique<btCollisionObject>());
       btCollisionObject& object = *objects_.back();
       object.setCollisionShape(shapes_.back().get());
@@ -77,6 +110,7 @@ class BulletWorld final : public WorldLibrary {
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase phase_;
   btCollisionWorld world_{&dispatcher_, &phase_, &configuration_};
+  std::vector<std::unique_ptr<BulletTerrain>> terrains_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;
 };

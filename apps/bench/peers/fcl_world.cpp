@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "peers/fcl_models.hpp"
 #include "peers/fcl_shapes.hpp"
 #include "world.hpp"
 
@@ -17,6 +18,7 @@ struct Convert {
   Made operator()(const Box& shape) const { return std::make_shared<fcl::Boxd>(converted(shape)); }
   Made operator()(const Capsule& shape) const { return std::make_shared<fcl::Capsuled>(converted(shape)); }
   Made operator()(const ConvexHull& shape) const { return std::make_shared<fcl::Convexd>(converted(shape)); }
+  Made operator()(const HeightField& shape) const { return fcl_model_of<fcl::OBBRSSd>(*shape.mesh()); }
   template <class Other>
   Made operator()(const Other&) const {
     throw std::logic_error("a shape that crowds do not have");

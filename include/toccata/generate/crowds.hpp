@@ -9,8 +9,10 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/index.hpp"
+#include "toccata/core/random.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/shapes/convex_hull.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata {
@@ -76,31 +78,59 @@ CrowdFrames run_frames(AnyCrowd& crowd, std::size_t frames, const Find& find, co
   return run;
 }
 
-/// Spheres, boxes, capsules and convex hulls of about size 1 that fly and turn in a room, for trying and measuring
-/// worlds of bodies. The same count, share and seed give the same bodies in every frame, on every machine.
+/// Spheres, boxes, capsules and convex hulls of about size 1 that fly and turn in a room, or lie, roll and fall, for
+/// trying and measuring worlds of bodies. The same scene, count, share and seed give the same bodies in every frame, on
+/// every machine. Nothing is simulated: bodies go on as they began.
 class BodyCrowd {
  public:
-  /// About this share of them is in contact at a time. Throws Error unless it lies between 0.001 and 1.
+  /// They fly. About this share of them is in contact at a time. Throws Error unless it lies between 0.001 and 1.
   explicit BodyCrowd(std::size_t count, double share_in_contact = 0.05, std::uint64_t seed = 1);
+  /// Of body_crowd_scenes. `count` bodies besides the ground, which is body 0 of all scenes but `fly`. Throws Error
+  /// naming the closest when there is no such scene.
+  BodyCrowd(std::string_view scene, std::size_t count, std::uint64_t seed = 1);
 
+  /// Shapes and places begin with the ground, if there is one.
   [[nodiscard]] const std::vector<Shape>& shapes() const { return shapes_; }
   /// Where they are now: rotations and translations.
   [[nodiscard]] const std::vector<Pose>& poses() const { return poses_; }
-  /// The next frame: each moves by up to a fiftieth and turns by up to three degrees.
+  /// How many of the first bodies are ground, which stays: 0 or 1.
+  [[nodiscard]] std::size_t ground_count() const { return ground_count_; }
+  /// The next frame: each moves by up to a fiftieth and turns by up to three degrees; what falls, faster.
   void step();
 
  private:
-  void place(std::size_t number);
+  enum class Motion : std::uint8_t { fly, tremble, roll, fall, stay };
 
   struct Flight {
     Vec3 centre, velocity;  ///< a frame
     Vec3 axis;
     double angle = 0, spin = 0;  ///< degrees, a frame
+    Motion motion = Motion::fly;
   };
+
+  void fill(std::size_t count, Random& random);
+  void add_ground(std::string_view scene);
+  void add_stacks(std::size_t count, Random& random);
+  void add_pile(std::size_t count, Random& random);
+  void add_falling(std::size_t count, Random& random);
+  void add(const Shape& shape, const Flight& flight);
+  /// So far above where it lies.
+  void lay_down(std::size_t number, double above);
+  void go_on(std::size_t number);
+  void place(std::size_t number);
+  [[nodiscard]] double resting_height(std::size_t number) const;
+
+  std::vector<ConvexHull> hulls_;
   std::vector<Shape> shapes_;
   std::vector<Flight> flights_;
   std::vector<Pose> poses_;
-  double room_ = 0;  ///< centres stay between 0 and this
+  std::size_t ground_count_ = 0;
+  std::size_t frame_ = 0;
+  double room_ = 0;  ///< centres stay between 0 and this, along x and y where there is ground
+  bool has_hills_ = false;
 };
+
+/// fly, stacks, pile, floor and terrain.
+[[nodiscard]] std::span<const NamedScene> body_crowd_scenes();
 
 }  // namespace toccata

@@ -24,9 +24,10 @@ struct ModelManifold : Manifold {
 ///
 /// What slides over a surface does not catch on its inner edges: a normal at a triangle is one along which the surface
 /// does not rise beside the point of contact. Within a face it is the face's normal, at an edge between two faces that
-/// fold away from each other one between theirs, at a vertex likewise (their Voronoi regions; docs/methods/manifolds.md),
-/// and outwards of a solid. Where the shortest way to part two elements is no such direction, the shortest among the
-/// normals of the triangles and of those beyond their convex edges takes its place, or another triangle has the contact.
+/// fold away from each other one between theirs, at a vertex likewise (their Voronoi regions;
+/// docs/methods/manifolds.md), and outwards of a solid. Where the shortest way to part two elements is no such
+/// direction, the shortest among the normals of the triangles and of those beyond their convex edges takes its place,
+/// or another triangle has the contact.
 ///
 /// Empty exactly when the two are apart, but for two half-spaces, and for what lies wholly within the other where no
 /// penetration is defined (pairs.hpp) or found (`depth_bracket`): an open mesh in a closed one. Of what lies wholly

@@ -63,15 +63,16 @@ struct CrowdReport {
 /// not there, for threads out of their range, and where there is no box, frame or method.
 [[nodiscard]] CrowdReport run_crowd(const CrowdQuestion& question, const Progress& progress = {});
 
-/// How fast a World steps bodies of many shapes that fly (BodyCrowd, one in twenty in contact), and which are in
-/// contact: `crowd --world`.
+/// How fast a World steps bodies of many shapes that fly, or lie, roll and fall (BodyCrowd), and which are in contact:
+/// `crowd --world`.
 struct CrowdWorldQuestion {
   static const io::QuestionKind kind;  ///< scene_question.hpp
-  std::size_t count = 100'000;         ///< bodies, at least one
+  std::size_t count = 100'000;         ///< bodies, at least one, besides the ground
   std::size_t frames = 60;             ///< steps that are timed, at least one
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
   std::uint64_t seed = 1;
-  int threads = own_thread;  ///< times compare with each other so. From 0 to 1024
+  int threads = own_thread;   ///< times compare with each other so. From 0 to 1024
+  std::string scene = "fly";  ///< one of body_crowd_scenes
 };
 
 struct CrowdWorldReport {
@@ -84,7 +85,8 @@ struct CrowdWorldReport {
   [[nodiscard]] std::size_t pairs() const { return frames.pairs.back().count; }  ///< in the last step
 };
 
-/// Steps the bodies. Throws Error where there is no body or no step, and for threads out of their range.
+/// Steps the bodies. Throws Error where there is no body or no step, for threads out of their range, and for a scene
+/// that is not there.
 [[nodiscard]] CrowdWorldReport run_crowd_world(const CrowdWorldQuestion& question, const Progress& progress = {});
 
 }  // namespace toccata

@@ -27,8 +27,8 @@ namespace toccata {
 struct WorldOptions {
   bool relation = false;
   bool distance = false;
-  bool contacts = false;  ///< of pairs in contact: their elements that meet
-  bool manifold = false;  ///< of pairs in contact: where they touch, as points and normals (manifolds.hpp)
+  bool contacts = false;     ///< of pairs in contact: their elements that meet
+  bool manifold = false;     ///< of pairs in contact: where they touch, as points and normals (manifolds.hpp)
   bool penetration = false;  ///< of two solids in contact, where it is defined
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
@@ -135,10 +135,10 @@ class World {
   void replace(std::span<const BodyId> ids, std::span<const Body> bodies);
   void replace(BodyId id, const Body& body);
 
-  /// Gives the mesh of a body other vertices, as Model::deform does: the tree keeps its shape, which takes a part of the
-  /// time that `replace` needs. Other bodies, and copies of the World, that share its model stay as they are; a model
-  /// that is this body's alone gives its tree up instead of copying it. Throws Error as Model::deform and `add` do, and
-  /// for an id of no body here.
+  /// Gives the mesh of a body other vertices, as Model::deform does: the tree keeps its shape, which takes a part of
+  /// the time that `replace` needs. Other bodies, and copies of the World, that share its model stay as they are; a
+  /// model that is this body's alone gives its tree up instead of copying it. Throws Error as Model::deform and `add`
+  /// do, and for an id of no body here.
   Refit deform(BodyId id, std::vector<Vec3> vertices);
 
   /// Each takes the place of an earlier rule for the same two bodies; one that says nothing ends it. Throws Error for

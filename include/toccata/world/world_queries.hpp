@@ -59,8 +59,8 @@ struct PlacedBody {
 struct BodyPairs {
   std::uint64_t first_groups = ~std::uint64_t{0};
   std::uint64_t second_groups = ~std::uint64_t{0};
-  /// Bodies as if they were there, each named once; all others are where they are. If there are any, only pairs of which
-  /// one is such a body are asked about.
+  /// Bodies as if they were there, each named once; all others are where they are. If there are any, only pairs of
+  /// which one is such a body are asked about.
   std::span<const PlacedBody> placed{};
 };
 

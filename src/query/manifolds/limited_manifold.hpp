@@ -1,22 +1,20 @@
 #pragma once
 
-#include <optional>
-
 #include "query/manifolds/contact_element.hpp"
 #include "query/search_scratch.hpp"
 
 namespace toccata {
 
-/// What is told of a contact of two elements.
-struct LimitedManifold {
-  Manifold manifold;       ///< empty where others tell this contact better
-  Manifold alone{};        ///< then: a single point of it, if nobody does
-  double depth_alone = 0;  ///< along its normal
+/// The points of contact of two elements that meet, along the shortest way to part them that both allow; none where
+/// others tell this contact better. Neither is a half-space.
+[[nodiscard]] Manifold limited_manifold(const ContactElement& a, const ContactElement& b, SearchScratch& scratch);
+
+/// A contact that nobody tells, as a single point, and how deep it is along its normal.
+struct LoneContact {
+  Manifold manifold;
+  double depth = 0;
 };
 
-/// The points of contact of two elements that meet, along the shortest way to part them that both allow. Neither is a
-/// half-space.
-[[nodiscard]] LimitedManifold limited_manifold(const ContactElement& a, const ContactElement& b,
-                                               SearchScratch& scratch);
+[[nodiscard]] LoneContact lone_contact(const ContactElement& a, const ContactElement& b, SearchScratch& scratch);
 
 }  // namespace toccata

@@ -1,6 +1,8 @@
 #include "toccata/query/manifolds.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "query/ask.hpp"
 #include "query/contacts/part_contacts.hpp"
@@ -16,6 +18,14 @@ namespace {
 
 bool is_part_without_end(const PosedPart& part) { return std::holds_alternative<PosedHalfSpace>(part.shape); }
 
+/// Something may lie within it without touching the surface of a mesh.
+bool may_hold(const PosedModel& model) {
+  return std::ranges::any_of(model.parts, [](const PosedPart& part) {
+    const auto* triangles = std::get_if<PosedTriangles>(&part.shape);
+    return triangles && triangles->solid;
+  });
+}
+
 std::vector<ModelManifold> as_list(const Manifold& manifold) {
   if (manifold.count == 0) return {};
   return {{manifold}};
@@ -27,23 +37,15 @@ class ManifoldsOfContacts {
   ManifoldsOfContacts(const PosedModel& a, const PosedModel& b, SearchScratch& scratch)
       : a_(a), b_(b), scratch_(scratch) {}
 
-  std::vector<ModelManifold> found() {
+  MetManifolds found() {
     // Manifolds of elements leave the contacts in the scratch alone.
-    for (const Contact& contact : contacts_of(a_, b_, scratch_, 1)) add(contact);
-    if (merged_.is_empty() && nobody_else_.manifold.count > 0)
-      merged_.add(nobody_else_.manifold, nobody_else_.element_a, nobody_else_.element_b);
-    return merged_.merged();
+    const std::span<const Contact> contacts = contacts_of(a_, b_, scratch_, 1);
+    for (const Contact& contact : contacts) add(contact);
+    if (merged_.is_empty()) add_least_deep(contacts);
+    return {!contacts.empty(), merged_.merged()};
   }
 
  private:
-  /// The least deep contact of those that left it to others, where there are none.
-  struct Alone {
-    Manifold manifold;
-    double depth = 0;
-    Index element_a = 0;
-    Index element_b = 0;
-  };
-
   const ContactElement& element(std::optional<ContactElement>& last, const PosedModel& model, Index number) const {
     if (!last || last->number() != number) last.emplace(model, number);
     return *last;
@@ -53,11 +55,24 @@ class ManifoldsOfContacts {
     const ContactElement& a = element(last_a_, a_, contact.triangle_a);
     const ContactElement& b = element(last_b_, b_, contact.triangle_b);
     if (is_part_without_end(a.part()) || is_part_without_end(b.part())) return add_over_half_space(a, b);
-    const LimitedManifold limited = limited_manifold(a, b, scratch_);
-    if (limited.manifold.count > 0) return merged_.add(limited.manifold, a.number(), b.number());
-    if (limited.alone.count == 0 || (nobody_else_.manifold.count > 0 && limited.depth_alone >= nobody_else_.depth))
-      return;
-    nobody_else_ = {limited.alone, limited.depth_alone, a.number(), b.number()};
+    const Manifold manifold = limited_manifold(a, b, scratch_);
+    if (manifold.count > 0) merged_.add(manifold, a.number(), b.number());
+  }
+
+  /// All contacts left it to others, and there are none.
+  void add_least_deep(std::span<const Contact> contacts) {
+    LoneContact least;
+    Contact of;
+    for (const Contact& contact : contacts) {
+      const ContactElement& a = element(last_a_, a_, contact.triangle_a);
+      const ContactElement& b = element(last_b_, b_, contact.triangle_b);
+      if (is_part_without_end(a.part()) && is_part_without_end(b.part())) continue;
+      const LoneContact lone = lone_contact(a, b, scratch_);
+      if (lone.manifold.count == 0 || (least.manifold.count > 0 && lone.depth >= least.depth)) continue;
+      least = lone;
+      of = contact;
+    }
+    if (least.manifold.count > 0) merged_.add(least.manifold, of.triangle_a, of.triangle_b);
   }
 
   /// Whose normal is that of the contact.
@@ -73,7 +88,6 @@ class ManifoldsOfContacts {
   std::optional<ContactElement> last_a_;
   std::optional<ContactElement> last_b_;
   MergedManifolds merged_;
-  Alone nobody_else_;
 };
 
 /// Of two models of which one lies wholly within the other.
@@ -93,23 +107,24 @@ std::vector<ModelManifold> of_contained(const Model& a, const Model& b, const Pa
 
 }  // namespace
 
-std::vector<ModelManifold> manifolds_of(const Model& a, const Model& b, const PairQuery& query, bool in_contact,
-                                        Workspace& workspace) {
-  if (is_defined(ShapeQuestion::manifold, a, b)) return as_list(manifold(a, b, query, workspace));
+MetManifolds manifolds_where_met(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  if (is_defined(ShapeQuestion::manifold, a, b)) {
+    std::vector<ModelManifold> found = as_list(manifold(a, b, query, workspace));
+    return {!found.empty(), std::move(found)};
+  }
   SearchScratch& scratch = workspace.scratch();
   {
     const PosedModelPair models(a, b, query, scratch);
-    if (models.are_single() && is_part_without_end(models.a.parts[0]) && is_part_without_end(models.b.parts[0])) return {};
-    std::vector<ModelManifold> found = ManifoldsOfContacts(models.a, models.b, scratch).found();
-    if (!found.empty()) return found;
+    MetManifolds found = ManifoldsOfContacts(models.a, models.b, scratch).found();
+    if (found.in_contact || (!may_hold(models.a) && !may_hold(models.b))) return found;
   }
   scratch.convex = {};
-  if (!in_contact && !overlap(a, b, query, workspace)) return {};
-  return of_contained(a, b, query, workspace);
+  if (!overlap(a, b, query, workspace)) return {};
+  return {true, of_contained(a, b, query, workspace)};
 }
 
 std::vector<ModelManifold> manifolds(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-  return manifolds_of(a, b, query, false, workspace);
+  return manifolds_where_met(a, b, query, workspace).manifolds;
 }
 
 std::vector<ModelManifold> manifolds(const Model& a, const Model& b, const PairQuery& query) {

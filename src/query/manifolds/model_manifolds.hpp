@@ -6,8 +6,13 @@
 
 namespace toccata {
 
-/// What `manifolds` answers, where it may be known that the two are in contact.
-[[nodiscard]] std::vector<ModelManifold> manifolds_of(const Model& a, const Model& b, const PairQuery& query,
-                                                      bool in_contact, Workspace& workspace);
+/// What `overlap` and `manifolds` answer.
+struct MetManifolds {
+  bool in_contact = false;
+  std::vector<ModelManifold> manifolds{};
+};
+
+[[nodiscard]] MetManifolds manifolds_where_met(const Model& a, const Model& b, const PairQuery& query,
+                                               Workspace& workspace);
 
 }  // namespace toccata

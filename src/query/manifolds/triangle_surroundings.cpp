@@ -78,13 +78,12 @@ bool TriangleSurroundings::is_highest_vertex(std::size_t corner, const Vec3& dir
 
 bool TriangleSurroundings::allows(const Vec3& direction) const {
   std::array<double, 3> height;
-  for (std::size_t k = 0; k < 3; ++k)
-    height[k] = dot(corners_[static_cast<int>(k)] - corners_[0], direction);
+  for (std::size_t k = 0; k < 3; ++k) height[k] = dot(corners_[static_cast<int>(k)] - corners_[0], direction);
   const auto top = static_cast<std::size_t>(std::ranges::max_element(height) - height.begin());
   std::array<bool, 3> is_level{};
   for (std::size_t k = 0; k < 3; ++k)
-    is_level[k] = k == top || slope_to(corners_[static_cast<int>(top)], corners_[static_cast<int>(k)], direction) >=
-                                  -level_slope;
+    is_level[k] =
+        k == top || slope_to(corners_[static_cast<int>(top)], corners_[static_cast<int>(k)], direction) >= -level_slope;
   if (is_level[0] && is_level[1] && is_level[2]) return !surface_.solid || dot(normal_, direction) > 0;
   for (std::size_t k = 0; k < 3; ++k)
     if (is_level[k] && is_level[(k + 1) % 3]) return is_highest_edge(k, direction);
@@ -132,6 +131,12 @@ bool TriangleSurroundings::is_peak(std::size_t corner) const {
     }
   }
   return false;
+}
+
+bool TriangleSurroundings::is_flat() const {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (is_peak(i) || is_ridge(i)) return false;
+  return true;
 }
 
 void TriangleSurroundings::visit_ridges(FunctionRef<void(const PosedPart&)> see) const {

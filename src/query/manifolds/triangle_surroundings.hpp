@@ -18,6 +18,14 @@ class TriangleSurroundings {
   /// Both have to outlive it.
   TriangleSurroundings(const PosedTriangles& surface, Index triangle);
 
+  /// Unit; zero of one without area.
+  [[nodiscard]] const Vec3& normal() const { return normal_; }
+  [[nodiscard]] bool is_of_solid() const { return surface_.solid; }
+  [[nodiscard]] const Triangle& corners() const { return corners_; }
+
+  /// No edge of it folds away from it, and no vertex stands out: nothing but its normals is allowed.
+  [[nodiscard]] bool is_flat() const;
+
   /// Something that the triangle pushes along the direction, which is unit, lies on a part of the surface that is
   /// highest along it.
   [[nodiscard]] bool allows(const Vec3& direction) const;

@@ -22,8 +22,7 @@ VertexFans::VertexFans(const Model& model) {
   const MeshParts& parts = model.mesh_parts();
   part_of_triangle_ = parts.part_of_triangle;
   const PosedMesh mesh(model, {});
-  for (const Index triangle : parts.first_triangle)
-    turn_of_part_.push_back(outward_turn(mesh, triangle) < 0 ? -1 : 1);
+  for (const Index triangle : parts.first_triangle) turn_of_part_.push_back(outward_turn(mesh, triangle) < 0 ? -1 : 1);
 }
 
 }  // namespace toccata

@@ -59,8 +59,8 @@ struct DrawnPairs {
 
  private:
   void add(const PairDetails& details) {
-    for (int i = 0; details.manifold && i < details.manifold->count; ++i)
-      points.push_back(details.manifold->points[static_cast<std::size_t>(i)].position);
+    for (const ModelManifold& manifold : details.manifolds)
+      for (int i = 0; i < manifold.count; ++i) points.push_back(manifold.points[static_cast<std::size_t>(i)].position);
     if (details.distance && details.distance->upper > 0)
       distances.insert(distances.end(), {details.distance->on_a, details.distance->on_b});
   }

@@ -219,11 +219,14 @@ void require_something(const CrowdWorldQuestion& question) {
 class FlyingBodies {
  public:
   explicit FlyingBodies(const CrowdWorldQuestion& question, WorldOptions options = {})
-      : crowd_(question.count, 0.05, question.seed), world_(with_those_of(question, options)) {
+      : crowd_(question.scene, question.count, question.seed), world_(with_those_of(question, options)) {
     std::vector<Body> bodies;
-    for (std::size_t i = 0; i < crowd_.shapes().size(); ++i)
-      bodies.push_back({Model(crowd_.shapes()[i]), crowd_.poses()[i]});
+    for (std::size_t i = 0; i < crowd_.shapes().size(); ++i) {
+      const BodyType type = i < crowd_.ground_count() ? BodyType::static_body : BodyType::dynamic_body;
+      bodies.push_back({Model(crowd_.shapes()[i]), crowd_.poses()[i], type});
+    }
     ids_ = world_.add(bodies);
+    world_.prepare();
     world_.step();
   }
 
@@ -258,7 +261,8 @@ struct CrowdWorldKind {
   static constexpr const char* name = "crowd-world";
 
   static io::Json write(const CrowdWorldQuestion& question) {
-    return {{"count", question.count},
+    return {{"scene", question.scene},
+            {"count", question.count},
             {"frames", question.frames},
             {"method", name_of(question.method)},
             {"seed", std::to_string(question.seed)},
@@ -266,8 +270,9 @@ struct CrowdWorldKind {
   }
 
   static CrowdWorldQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "count", "frames", "method", "seed", "threads"});
+    value.expect_keys({"question", "scene", "count", "frames", "method", "seed", "threads"});
     CrowdWorldQuestion question;
+    question.scene = value.text_or("scene", question.scene);
     take_flight(question, value);
     if (value.has("method"))
       question.method = io::one_named<BroadPhaseMethod>(value.at("method"), broad_phase_methods());
@@ -280,8 +285,9 @@ struct CrowdWorldKind {
 
   static std::string json(const CrowdWorldReport& report, const io::Reporting&) {
     const CrowdWorldQuestion& question = report.question;
-    return io::document({{"schema", "toccata/crowd-world/2"},
+    return io::document({{"schema", "toccata/crowd-world/3"},
                          {"version", version},
+                         {"scene", question.scene},
                          {"count", question.count},
                          {"frames", question.frames},
                          {"seed", question.seed},

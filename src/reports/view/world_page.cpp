@@ -50,7 +50,11 @@ Json json_of(const RecordedPair& pair) {
   }
   if (details.distance) io::add(json["distance"] = Json::object(), *details.distance);
   if (details.penetration) json["penetration"] = io::json_of(*details.penetration);
-  if (details.manifold) json["points"] = details.manifold->count;
+  if (details.manifold || !details.manifolds.empty()) {
+    int count = 0;
+    for (const ModelManifold& manifold : details.manifolds) count += manifold.count;
+    json["points"] = count;
+  }
   return json;
 }
 
@@ -141,9 +145,9 @@ Json layers_of(const WorldRecording& recording, const io::DisplayFrame& frame, i
     for (const RecordedPair& pair : one.pairs) {
       layers[static_cast<std::size_t>(pair.change)].add(frame, {pair.middle_a, pair.middle_b});
       if (pair.change == Change::end || !pair.details) continue;
-      const auto& manifold = pair.details->manifold;
-      for (int i = 0; manifold && i < manifold->count; ++i)
-        layers[3].add(frame, {manifold->points[static_cast<std::size_t>(i)].position});
+      for (const ModelManifold& manifold : pair.details->manifolds)
+        for (int i = 0; i < manifold.count; ++i)
+          layers[3].add(frame, {manifold.points[static_cast<std::size_t>(i)].position});
       if (const auto& distance = pair.details->distance; distance && distance->upper > 0)
         layers[4].add(frame, {distance->on_a, distance->on_b});
     }

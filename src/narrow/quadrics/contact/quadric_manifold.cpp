@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "math/vec3_measures.hpp"
-#include "narrow/convex/canonical_order.hpp"
 #include "narrow/contact/four_points.hpp"
 #include "narrow/contact/manifold_along.hpp"
+#include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex/contact_choices.hpp"
 #include "narrow/quadrics/contact/patch_overlap.hpp"
 #include "narrow/quadrics/contact/quadric_separation.hpp"
