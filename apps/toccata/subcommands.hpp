@@ -26,7 +26,6 @@ Subcommand add_distance(CLI::App& app);
 Subcommand add_ray(CLI::App& app);
 Subcommand add_sweep(CLI::App& app);
 Subcommand add_walk(CLI::App& app);
-Subcommand add_robot(CLI::App& app);
 Subcommand add_faces(CLI::App& app);
 Subcommand add_cost(CLI::App& app);
 Subcommand add_plot(CLI::App& app);
@@ -41,12 +40,13 @@ Subcommand add_tree(CLI::App& app);
 Subcommand add_decompose(CLI::App& app);
 Subcommand add_crowd(CLI::App& app);
 Subcommand add_demo(CLI::App& app);
+Subcommand add_robot(CLI::App& app);
 
 /// As --help lists them.
 inline constexpr std::array all_subcommands = {
-    add_check,  add_view,  add_distance, add_ray,     add_sweep,     add_walk,      add_robot,
-    add_faces,  add_cost,  add_plot,     add_nearest, add_locate,    add_minkowski, add_subdivide,
-    add_replay, add_pairs, add_inspect,  add_tree,    add_decompose, add_crowd,     add_demo};
+    add_check, add_view,    add_distance, add_ray,       add_sweep,     add_walk,      add_faces,
+    add_cost,  add_plot,    add_nearest,  add_locate,    add_minkowski, add_subdivide, add_replay,
+    add_pairs, add_inspect, add_tree,     add_decompose, add_crowd,     add_demo,      add_robot};
 
 /// What people read of an answer.
 std::string table_of(const CheckInput& input, const CheckReport& report);

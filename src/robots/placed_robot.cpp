@@ -76,10 +76,12 @@ const PosedPolytope* PlacedRobot::convex_around(Index number) {
   return parts.size() == 1 ? std::get_if<PosedPolytope>(&parts[0].shape) : nullptr;
 }
 
+bool PlacedRobot::has_hull(const BodyPair& pair) const {
+  return scene_.body_hulls[pair.body] ||
+         (pair.with_part ? scene_.part_hulls[pair.other] : scene_.body_hulls[pair.other]);
+}
+
 double PlacedRobot::hull_gap(const BodyPair& pair, double enough, SimplexCache* kept) {
-  const bool other_is_mesh =
-      (pair.with_part ? scene_.part_hulls[pair.other] : scene_.body_hulls[pair.other]).has_value();
-  if (!scene_.body_hulls[pair.body] && !other_is_mesh) return 0;
   const PosedPolytope* other = pair.with_part ? scene_.convex_around(pair.other) : convex_around(pair.other);
   const PosedPolytope* body = other == nullptr ? nullptr : convex_around(pair.body);
   if (body == nullptr) return 0;
@@ -136,7 +138,7 @@ bool PlacedRobot::certainly_meet(const BodyPair& pair) const {
 
 bool PlacedRobot::are_met(const BodyPair& pair) {
   if (certainly_apart(pair, 0)) return false;
-  return certainly_meet(pair) || (hull_gap(pair, 0) == 0 && overlap(pair));
+  return certainly_meet(pair) || ((!has_hull(pair) || hull_gap(pair, 0) == 0) && overlap(pair));
 }
 
 bool PlacedRobot::are_met_within_hulls(const BodyPair& pair) { return certainly_meet(pair) || overlap(pair); }
@@ -162,7 +164,7 @@ bool PlacedRobot::body_meets_at_sight(Index body) {
 }
 
 bool PlacedRobot::meets_after_waiting(const BodyPair& pair) {
-  if (hull_gap(pair, 0) > 0 || !overlap(pair)) return false;
+  if ((has_hull(pair) && hull_gap(pair, 0) > 0) || !overlap(pair)) return false;
   met_last_ = pair;
   return true;
 }

@@ -31,9 +31,11 @@ class PlacedRobot {
   }
 
   /// Proved to be farther apart than the length that is told, by what is convex around the two: tighter than by boxes,
-  /// and slower. As long as is wanted or, where that is not found, what was; 0 where nothing is known, and where both
-  /// are convex themselves.
+  /// and slower. As long as is wanted or, where that is not found, what was; 0 where nothing is known.
   [[nodiscard]] double hull_gap(const BodyPair& pair, double enough, SimplexCache* kept = nullptr);
+
+  /// One of the two is a mesh with a hull around it; else what is around them is what they are.
+  [[nodiscard]] bool has_hull(const BodyPair& pair) const;
 
   /// Proved by balls within the two to have a point in common. False says nothing.
   [[nodiscard]] bool certainly_meet(const BodyPair& pair) const;

@@ -89,18 +89,24 @@ class EdgeSearch {
     }
   }
 
-  /// Poses round lengths that are no greater than all together, some tens of times each.
+  /// Poses round lengths that are no greater than all together, some tens of times each; and angles, of which the last
+  /// bits of many turns are large.
   void find_rounding() {
-    double lengths = sum_of_magnitudes(tree_.description.base.offset);
+    double lengths = sum_of_magnitudes(tree_.description.base.offset), farthest = 0;
     for (const RobotFrame& frame : tree_.frames) {
       lengths += sum_of_magnitudes(frame.origin.offset);
+      if (frame.motion == RobotFrame::Motion::none) continue;
+      const double position =
+          std::fabs(frame.position_in(from_)) + std::fabs(frame.position_in(to_)) + std::fabs(frame.offset);
       if (frame.motion == RobotFrame::Motion::slide)
-        lengths += std::fabs(frame.position_in(from_)) + std::fabs(frame.position_in(to_)) + std::fabs(frame.offset);
+        lengths += position;
+      else
+        farthest = std::max(farthest, position);
     }
     double largest = 0;
     for (const LocalBox& box : scene_.body_boxes)
       if (std::isfinite(box.magnitude)) largest = std::max(largest, box.magnitude);
-    rounding_ = 0x1p-44 * static_cast<double>(tree_.frames.size()) * (lengths + largest);
+    rounding_ = 0x1p-44 * static_cast<double>(tree_.frames.size()) * (lengths + largest) * (1 + farthest);
   }
 
   void place_at(double time) {
@@ -165,7 +171,7 @@ class EdgeSearch {
       return InStretch::meets;
     // Halves of the stretch tell it with less work, until the way is little beside the shape.
     const bool is_long = way > 0.03125 * scene_.body_radius[open.pair.body] && stretch_length_ > precision_;
-    if (is_long) return InStretch::open;
+    if (is_long && !std::isinf(placed_.box_of_other(open.pair).slack)) return InStretch::open;
     return placed_.nearby(open.pair, WantedDistance::within(way)) ? InStretch::open : InStretch::free;
   }
 

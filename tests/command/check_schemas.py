@@ -233,6 +233,16 @@ def locations(folder):
         yield asked(folder, "locate", "gen:torus-knot", "--by", by)
 
 
+def robots(folder):
+    """An arm at rest, at configurations with edges and distances, and its pairs by samples."""
+    (folder / "q.csv").write_text("0 0 0 0 0 0 0\n0 1.5 0 1.9 0 1 0\n0.1 0 0 0 0 0 0\n")
+    yield asked(folder, "robot", "gen:arm")
+    report = asked(folder, "robot", "gen:arm", "--scene", "gen:torus?radius=0.5", "--configurations", "q.csv", "--edges", "--distance")
+    assert [c["meets"] for c in report["configurations"]] == [False, True, False] and len(report["edges"]) == 2, report
+    yield report
+    yield asked(folder, "robot", "gen:arm", "--find-allowed", "100")
+
+
 def subdivisions(folder):
     """The mesh of a cage, and how far its limit is from another object and another limit."""
     (folder / "creases.txt").write_text("crease 0 2\ncorner 7 1.5\n")
@@ -279,10 +289,11 @@ def main():
                 schema.validate(report)
                 check_asked(kind, report)
                 assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
-        schema = validator("locate-report.schema.json")
-        for report in locations(folder):
-            schema.validate(report)
-            assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
+        for kind, made in {"locate": locations, "robot": robots}.items():
+            schema = validator(f"{kind}-report.schema.json")
+            for report in made(folder):
+                schema.validate(report)
+                assert not schema.is_valid({**report, "unknown": 1}), "the schema takes anything"
         scene = validator("scene.schema.json")
         scenes = list(folder.rglob("scene.json"))
         assert scenes

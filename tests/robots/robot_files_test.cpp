@@ -197,11 +197,11 @@ TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {
     return message.substr(std::min(message.find("q.csv"), message.size()));
   };
   EXPECT_EQ(fault("0,0,0\n1,2\n"), "q.csv:2: a line of 3 numbers has 2; give one for each position of the robot");
-  EXPECT_TRUE(tells(fault("0,0,0\n0,nan,0\n"), "q.csv:2: 'nan' is no number"));
-  EXPECT_TRUE(tells(fault("0,0,0\n0,1e999,0\n"), "q.csv:2: '1e999' is no number"));
+  EXPECT_TRUE(tells(fault("0,0,0\n0,nan,0\n"), "q.csv:2: \"nan\" is no number"));
+  EXPECT_TRUE(tells(fault("0,0,0\n0,1e999,0\n"), "q.csv:2: \"1e999\" is no number"));
   EXPECT_TRUE(tells(fault("0,3.5,0\n"), "q.csv:1: the position of 'elbow' is 3.5, beyond its limits -3 to 3"));
   EXPECT_TRUE(
-      tells(fault("shoulder,elbw,slide\n"), "q.csv:1: the robot has no position 'elbw'; did you mean 'elbow'?"));
+      tells(fault("shoulder,elbw,slide\n"), "q.csv:1: the robot has no position \"elbw\"; did you mean 'elbow'?"));
   EXPECT_TRUE(tells(fault("shoulder,elbow,elbow\n"), "is named twice"));
   EXPECT_TRUE(tells(fault("shoulder,elbow\n"), "the position 'slide' is not named"));
   EXPECT_TRUE(tells(fault("# nothing\n"), "the file holds no configuration"));

@@ -122,13 +122,13 @@ TEST(Robot, PlanarAndFloatingJointsAreSeveralPositions) {
 
 TEST(Robot, WhatMimicsFollows) {
   RobotDescription arm = planar_robot();
-  arm.joints[1].mimic = JointMimic{"shoulder", -1, 0};
+  arm.joints[1].mimic = JointMimic{"shoulder", -1, 0.25};
   arm.joints[2].mimic = JointMimic{"elbow", 2, 1};
   const Robot robot(arm);
   ASSERT_EQ(robot.positions().size(), 1U);
   const Robot free(planar_robot());
   const double q = 0.3;
-  EXPECT_EQ(robot.link_poses(std::vector<double>{q}), free.link_poses(std::vector<double>{q, -q, 1 - 2 * q}));
+  EXPECT_EQ(robot.link_poses(std::vector<double>{q}), free.link_poses(std::vector<double>{q, -q + 0.25, -2 * q + 1.5}));
 }
 
 TEST(Robot, RestAndLimits) {
