@@ -30,8 +30,12 @@ STEPS = {
     "tsan": "configure tsan; build tsan; TSAN_OPTIONS=ignore_noninstrumented_modules=1 run_ctest tsan",
     "tidy": "configure clang -DTOCCATA_BUILD_TESTS=ON; build clang; python3 tools/check_tidy.py --all",
     "proofs": "python3 tools/check_proofs.py",
-    "python": "python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
-    "build/python/venv/bin/python -m pytest -q python/tests",
+    # The library is compiled with the command, with which the package's answers are compared.
+    "python": "configure release; build release; cmake --install build/release --prefix build/python/prefix >/dev/null; "
+    "python3 tools/check_wheel.py --prefix build/python/prefix",
+    "python-asan": "python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest; "
+    "configure asan-ubsan -DTOCCATA_BUILD_PYTHON=ON -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python; "
+    "build asan-ubsan toccata_python; bash tools/test_python_sanitized.sh build/asan-ubsan/python build/python/asan/bin/python",
     "recipes": "python3 tools/check_recipes.py --build",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "
@@ -43,7 +47,7 @@ STEPS = {
 def fingerprint():
     """One number for everything that the steps depend on."""
     digest = hashlib.sha256()
-    for folder in ["apps", "cmake", "include", "src", "tests", "tools", "CMakeLists.txt", "CMakePresets.json", ".clang-tidy"]:
+    for folder in ["apps", "cmake", "include", "src", "tests", "tools", "python", "CMakeLists.txt", "CMakePresets.json", ".clang-tidy"]:
         path = ROOT / folder
         for file in [path] if path.is_file() else sorted(p for p in path.rglob("*") if p.is_file() and "__pycache__" not in p.parts):
             digest.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
