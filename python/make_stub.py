@@ -4,6 +4,7 @@ usage: make_stub.py [--check]   with the package installed and nanobind; --check
 """
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,14 @@ def made() -> str:
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "stub.pyi"
         subprocess.run([sys.executable, "-m", "nanobind.stubgen", "-q", "-m", "toccata", "-o", file], check=True)
-        return file.read_text() + "\n__version__: str\n"
+        return of_the_compiled_part(file.read_text())
+
+
+def of_the_compiled_part(stub: str) -> str:
+    """What is written in Python has its types where it is."""
+    for name in ("class Page:", "def show("):
+        stub = re.sub(rf"^{re.escape(name)}.*?(?=^\S)", "", stub, flags=re.MULTILINE | re.DOTALL)
+    return stub.replace("__all__: list =", "from ._show import Page as Page, show as show\n\n__all__: list[str] =") + "\n__version__: str\n"
 
 
 if __name__ == "__main__":

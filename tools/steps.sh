@@ -211,6 +211,22 @@ run_bench() {
   exec "$source_folder/build/release/apps/bench/toccata-bench" "$@"
 }
 
+# bench_python WORD…: the Python package and its peers, in an environment of their own, measured by a script.
+bench_python() {
+  build_library || return 2
+  local environment=$source_folder/build/python/bench
+  if [[ ! -x $environment/bin/python ]]; then python3 -m venv "$environment"; fi
+  say "installing the package and its peers: python-fcl, coal, trimesh, pybullet"
+  (cd "$source_folder" && "$environment/bin/pip" install --quiet --disable-pip-version-check . python-fcl coal trimesh pybullet) >&2 || return 2
+  "$environment/bin/python" "$source_folder/apps/bench/python/measure_python.py" --library "$source_folder/build/release" "$@"
+}
+
+# What Python's batches are compared with, in C++.
+build_library() {
+  install_packages packages packages-bench
+  (lock_build_folder && configure release && build release toccata)
+}
+
 # build_bench yes|no: yes, so that CMake looks for the peers again.
 build_bench() {
   lock_build_folder

@@ -72,8 +72,14 @@ STEPS = {
                  leaving=f"^({'|'.join(sorted(rooms_without_threads()))})/", environment="TSAN_OPTIONS=ignore_noninstrumented_modules=1"),
     "tidy": Step("configure clang -DTOCCATA_BUILD_TESTS=ON; python3 tools/check_tidy.py --all", [*CODE, ".clang-tidy", "tools"], "clang clang-tidy"),
     "proofs": Step("python3 tools/check_proofs.py", [*CODE, "tools"]),
-    "python": Step("python3 -m venv build/python/venv; build/python/venv/bin/pip install --quiet '.[test]' nanobind; "
-                   "build/python/venv/bin/python -m pytest -q python/tests", [*CODE, "docs", "python", "pyproject.toml"], "python3-dev python3-venv"),
+    # The library is compiled with the command, with which the package's answers are compared.
+    "python": Step("configure release; build release; cmake --install build/release --prefix build/python/prefix >/dev/null; "
+                   "python3 tools/check_wheel.py --prefix build/python/prefix",
+                   [*CODE, "docs", "python", "pyproject.toml", "tools"], "python3-dev python3-venv"),
+    "python-asan": Step("python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest; "
+                        "configure asan-ubsan -DTOCCATA_BUILD_PYTHON=ON -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python; "
+                        "build asan-ubsan toccata_python; bash tools/test_python_sanitized.sh build/asan-ubsan/python build/python/asan/bin/python",
+                        [*CODE, "python", "tools"], "python3-dev python3-venv"),
     "formats": Step("configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
                     "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
                     "python3 -m venv build/formats/bcf; build/formats/bcf/bin/pip install --quiet bcf-client; "

@@ -20,18 +20,30 @@
 // pickle, and, of many, the structured array over their memory.
 namespace toccata::python {
 
-/// A member of an answer: what it is called, what it means, and the way to it.
-template <class Answer, class Value>
+/// A member of an answer: what it is called, what it means, and the way to it, member by member.
+template <class Answer, auto... path>
 struct Field {
+  using Value = std::remove_reference_t<decltype((std::declval<Answer&>().*....*path))>;
+
   const char* name;
   const char* doc;
-  Value& (*of)(Answer&);
+
+  static Value& of(Answer& answer) { return (answer.*....*path); }
 };
 
 template <class Answer, auto... path>
-constexpr auto field(const char* name, const char* doc) {
-  using Value = std::remove_reference_t<decltype((std::declval<Answer&>().*....*path))>;
-  return Field<Answer, Value>{name, doc, [](Answer& answer) -> Value& { return (answer.*....*path); }};
+constexpr Field<Answer, path...> field(const char* name, const char* doc) {
+  return {name, doc};
+}
+
+/// Of what begins with the members of another, or holds it, the fields of that: `way` leads to it.
+template <class Whole, auto... way, class Answer, auto... path>
+constexpr Field<Whole, way..., path...> field_within(const Field<Answer, path...>& inner) {
+  return {inner.name, inner.doc};
+}
+template <class Whole, auto... way, class... Fields>
+constexpr auto fields_within(const std::tuple<Fields...>& inner) {
+  return std::apply([](const auto&... each) { return std::tuple{field_within<Whole, way...>(each)...}; }, inner);
 }
 
 /// Specialised for every answer: `name`, `doc` and `fields`, a tuple of Field.
@@ -109,8 +121,9 @@ Answer from_state(const nb::tuple& state) {
 template <class Answer>
 nb::class_<Answer> bind_answer(nb::module_& module) {
   nb::class_<Answer> bound(module, Described<Answer>::name, Described<Answer>::doc, nb::is_final());
-  for_each_field<Answer>([&]<class Value>(const Field<Answer, Value>& field) {
-    const auto of = field.of;
+  for_each_field<Answer>([&]<class Field>(const Field& field) {
+    using Value = typename Field::Value;
+    const auto of = &Field::of;
     if constexpr (std::is_same_v<Value, Vec3>)
       bound.def_prop_ro(
           field.name, [of](Answer& answer) { return array_of(of(answer)); }, field.doc);
@@ -132,10 +145,20 @@ nb::class_<Answer> bind_answer(nb::module_& module) {
   return bound;
 }
 
+template <class Answer>
+concept IsDescribed = requires {
+  Described<Answer>::fields;
+};
+
+template <class Answer>
+nb::object dtype_of();
+
 /// What numpy calls the type of a member.
 template <class Value>
 nb::object format_of() {
-  if constexpr (std::is_same_v<Value, Vec3>)
+  if constexpr (IsDescribed<Value>)
+    return dtype_of<Value>();
+  else if constexpr (std::is_same_v<Value, Vec3>)
     return nb::make_tuple("f8", nb::make_tuple(3));
   else if constexpr (std::is_same_v<Value, std::array<Vec3, 6>>)
     return nb::make_tuple("f8", nb::make_tuple(6, 3));
@@ -152,7 +175,7 @@ nb::object format_of() {
 
 /// The numpy.dtype over the memory of an answer.
 template <class Answer>
-nb::object dtype_of() {
+nb::object made_dtype() {
   nb::list names, formats, offsets;
   Answer example{};
   for_each_field<Answer>([&](const auto& field) {
@@ -167,6 +190,17 @@ nb::object dtype_of() {
   told["offsets"] = offsets;
   told["itemsize"] = sizeof(Answer);
   return nb::module_::import_("numpy").attr("dtype")(told);
+}
+
+/// The same, made once and kept for ever. The interpreter's lock guards it; numpy may let another thread make it too.
+template <class Answer>
+nb::object dtype_of() {
+  static PyObject* kept = nullptr;
+  if (kept == nullptr) {
+    nb::object made = made_dtype<Answer>();
+    if (kept == nullptr) kept = made.release().ptr();
+  }
+  return nb::borrow(kept);
 }
 
 /// The answers themselves, not copied, as a structured array.

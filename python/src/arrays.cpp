@@ -92,8 +92,20 @@ Mat3 rotation_of(nb::handle given, std::string_view what) {
   return {{vector_at(numbers.data), vector_at(numbers.data + 3), vector_at(numbers.data + 6)}};
 }
 
+bool is_row(nb::handle given) {
+  if (PySequence_Check(given.ptr()) == 0) return false;
+  const Py_ssize_t count = PySequence_Size(given.ptr());
+  if (count < 0) PyErr_Clear();  // an array without axes
+  return count > 0;
+}
+
+/// (R, t), and no list of two translations, poses or matrices.
 bool is_pair(nb::handle given) {
-  return (PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) == 2;
+  if ((!PyTuple_Check(given.ptr()) && !PyList_Check(given.ptr())) || nb::len(given) != 2) return false;
+  const nb::object linear = given[0], offset = given[1];
+  if (tells_a_matrix(linear)) return !tells_a_matrix(offset);
+  if (nb::isinstance<Pose>(linear) || !is_row(linear)) return false;
+  return is_row(nb::object(linear[0])) && !(is_row(offset) && is_row(nb::object(offset[0])));
 }
 
 [[noreturn]] void refuse_pose(std::string_view what, const Doubles& numbers, std::string_view more) {
@@ -223,6 +235,44 @@ Triangle triangle_of(nb::handle given, std::string_view what) {
     throw Error(fmt::format("{}: three vertices of three numbers are needed, and what is given has the shape {}", what,
                             shape_text(numbers.shape)));
   return {{vector_at(numbers.data), vector_at(numbers.data + 3), vector_at(numbers.data + 6)}};
+}
+
+std::vector<Aabb> boxes_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (numbers.has_shape(1, {0})) return {};
+  if (!numbers.has_shape(3, {2, 3}))
+    throw Error(
+        fmt::format("{}: an array of the shape (N, 2, 3) is needed, the least corner and the greatest of each "
+                    "box, and what is given has the shape {}",
+                    what, shape_text(numbers.shape)));
+  std::vector<Aabb> boxes(numbers.rows());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    boxes[i] = {vector_at(numbers.data + 6 * i), vector_at(numbers.data + 6 * i + 3)};
+  return boxes;
+}
+
+std::vector<bool> bools_of(nb::handle given, std::size_t count, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (!numbers.has_shape(1, {count}))
+    throw Error(fmt::format("{}: an array of {} truths is needed, one for each, and what is given has the shape {}",
+                            what, count, shape_text(numbers.shape)));
+  std::vector<bool> truths(count);
+  for (std::size_t i = 0; i < count; ++i) truths[i] = numbers.data[i] != 0;
+  return truths;
+}
+
+std::vector<double> numbers_for(nb::handle given, std::size_t count, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (numbers.shape.empty()) return std::vector<double>(count, numbers.data[0]);
+  if (!numbers.has_shape(1, {count}))
+    throw Error(fmt::format("{}: one number is needed, or {}, and what is given has the shape {}", what, count,
+                            shape_text(numbers.shape)));
+  return {numbers.data, numbers.data + count};
+}
+
+bool is_list(nb::handle given) {
+  return PySequence_Check(given.ptr()) != 0 && !PyUnicode_Check(given.ptr()) && !PyBytes_Check(given.ptr()) &&
+         !nb::ndarray_check(given);
 }
 
 Floats array_of(const Vec3& vector) {

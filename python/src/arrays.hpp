@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <toccata/bounds/aabb.hpp>
 #include <toccata/core/index.hpp>
 #include <toccata/math/mat3.hpp>
 #include <toccata/math/pose.hpp>
@@ -38,6 +39,22 @@ struct PoseLike : nb::object {
 };
 struct PosesLike : nb::object {
   NB_OBJECT_DEFAULT(PosesLike, nb::object, "toccata._typing.PosesLike", anything)
+};
+/// One shape or a list of them.
+struct ShapesLike : nb::object {
+  NB_OBJECT_DEFAULT(ShapesLike, nb::object, "toccata._typing.ShapesLike", anything)
+};
+/// Shapes at their places, each as a SceneInstance, a shape, or a pair (shape, pose).
+struct ObjectsLike : nb::object {
+  NB_OBJECT_DEFAULT(ObjectsLike, nb::object, "toccata._typing.ObjectsLike", anything)
+};
+/// A motion, or a pose at which something rests.
+struct MotionLike : nb::object {
+  NB_OBJECT_DEFAULT(MotionLike, nb::object, "toccata._typing.MotionLike", anything)
+};
+/// Names of bodies: one, a list, or an array as World.add_each returns it.
+struct BodiesLike : nb::object {
+  NB_OBJECT_DEFAULT(BodiesLike, nb::object, "toccata._typing.BodiesLike", anything)
 };
 /// An array of doubles.
 struct Floats : nb::object {
@@ -99,6 +116,18 @@ struct Poses {
 [[nodiscard]] Poses poses_of(nb::handle given, std::string_view what);
 
 [[nodiscard]] Triangle triangle_of(nb::handle given, std::string_view what);
+
+/// Of an array (N, 2, 3): the least corner and the greatest.
+[[nodiscard]] std::vector<Aabb> boxes_of(nb::handle given, std::string_view what);
+
+/// Truths, `count` of them, in an array of any type of numbers or of bools.
+[[nodiscard]] std::vector<bool> bools_of(nb::handle given, std::size_t count, std::string_view what);
+
+/// One number for each of `count`, or one for all.
+[[nodiscard]] std::vector<double> numbers_for(nb::handle given, std::size_t count, std::string_view what);
+
+/// It is a list, a tuple or another sequence that is no array and no text.
+[[nodiscard]] bool is_list(nb::handle given);
 
 // To Python.
 

@@ -157,19 +157,9 @@ template <>
 struct Described<ContactWithPoints> {
   static constexpr const char* name = "Contact";
   static constexpr const char* doc = Described<Contact>::doc;
-  static constexpr std::tuple fields = std::tuple{
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::triangle_a>("triangle_a", ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::triangle_b>("triangle_b", ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_a>("face_a", ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::face_b>("face_b", ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::kind>("kind", ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::coplanar>("coplanar",
-                                                                                                             ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::crossing>("crossing",
-                                                                                                             ""),
-      field<ContactWithPoints, &ContactWithPoints::contact, &Contact::intersection, &Intersection::count>("point_count",
-                                                                                                          ""),
-      field<ContactWithPoints, &ContactWithPoints::points>("points", "")};
+  static constexpr auto fields =
+      std::tuple_cat(fields_within<ContactWithPoints, &ContactWithPoints::contact>(Described<Contact>::fields),
+                     std::tuple{field<ContactWithPoints, &ContactWithPoints::points>("points", "")});
 };
 
 template <>

@@ -27,5 +27,13 @@ NB_MODULE(_core, module) {
   bind_pair_questions(module);
   bind_point_questions(module);
   bind_robots(module);
+  bind_contact_questions(module);
+  bind_scenes(module);
+  bind_motions(module);
+  bind_worlds(module);
+  bind_boxes(module);
+  bind_parts(module);
+  bind_caches(module);
+  bind_pages(module);
   module.attr("__name__") = own_name;
 }

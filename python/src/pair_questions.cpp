@@ -1,7 +1,6 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,33 +11,27 @@
 #include <toccata/core/error.hpp>
 #include <toccata/query/batch.hpp>
 #include <toccata/query/overlap.hpp>
-#include <toccata/query/self_contacts.hpp>
 
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "described.hpp"
+#include "pair_arguments.hpp"
 #include "shapes.hpp"
+#include "workspace.hpp"
 
 namespace toccata::python {
 namespace {
 
-PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a, Solid solid_b) {
-  return {
-      .pose_a = pose_of(pose_a, "pose_a"), .pose_b = pose_of(pose_b, "pose_b"), .solid_a = solid_a, .solid_b = solid_b};
-}
-
 /// A question about two shapes: `ask(a, b, query)`.
 template <class Ask>
 void bind_question(nb::module_& module, const char* name, const char* doc, Ask ask) {
-  module.def(
-      name,
-      [ask](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
-            Solid solid_b) {
-        const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
-        return asked_about(a.model, b.model, [&](const Model& x, const Model& y) { return ask(x, y, query); });
-      },
-      nb::arg("a"), nb::arg("b"), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(), nb::kw_only(),
-      nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, doc);
+  def_pair_question(module, name, doc,
+                    [ask](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
+                          Solid solid_a, Solid solid_b) {
+                      const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
+                      return asked_about(a.model, b.model,
+                                         [&](const Model& x, const Model& y) { return ask(x, y, query); });
+                    });
 }
 
 /// The same with a length between the shapes and the poses: `ask(a, b, length, query)`.
@@ -53,19 +46,6 @@ void bind_question_of_length(nb::module_& module, const char* name, const char* 
       },
       nb::arg("a"), nb::arg("b"), nb::arg(length_name), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(),
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, doc);
-}
-
-/// So many as one of the two has; one pose stands for all.
-std::vector<PairQuery> queries_of(const PosesLike& poses_a, const PosesLike& poses_b, Solid solid_a, Solid solid_b) {
-  const Poses a = poses_of(poses_a, "poses_a"), b = poses_of(poses_b, "poses_b");
-  if (!a.single && !b.single && a.each.size() != b.each.size())
-    throw Error(fmt::format("there are {} poses of a and {} of b; give as many, or one of one of them", a.each.size(),
-                            b.each.size()));
-  const std::size_t count = a.single ? b.each.size() : a.each.size();
-  std::vector<PairQuery> queries(count);
-  for (std::size_t i = 0; i < count; ++i)
-    queries[i] = {.pose_a = a[i], .pose_b = b[i], .solid_a = solid_a, .solid_b = solid_b};
-  return queries;
 }
 
 template <class Answer>
@@ -85,21 +65,12 @@ auto array_told(std::vector<Answer> answers) {
   return ArrayOf<Answer>::told(std::move(answers));
 }
 
-/// The question for many poses: `ask(batch, options)`.
+/// The question for many: `ask(batch, options)`.
 template <class Ask>
 void bind_questions(nb::module_& module, const char* name, const char* doc, Ask ask) {
-  module.def(
-      name,
-      [ask](const AnyShape& a, const AnyShape& b, const PosesLike& poses_a, const PosesLike& poses_b, Solid solid_a,
-            Solid solid_b, int threads) {
-        const std::vector<PairQuery> queries = queries_of(poses_a, poses_b, solid_a, solid_b);
-        const Batch<PairQuery> batch(a.model, b.model, queries);
-        const Interruptible call(threads, is_quick(a.model) && is_quick(b.model));
-        return array_told(call.ask([&](const BatchOptions& options) { return ask(batch, options); }));
-      },
-      nb::arg("a"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(), nb::kw_only(),
-      nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads,
-      doc);
+  def_pair_questions(module, name, doc, [ask](const PairsAsked& pairs, int threads) {
+    return array_told(asked_of_pairs(pairs, threads, ask));
+  });
 }
 
 template <class Ask>
@@ -107,111 +78,16 @@ void bind_questions_of_length(nb::module_& module, const char* name, const char*
                               Ask ask) {
   module.def(
       name,
-      [ask](const AnyShape& a, const AnyShape& b, double length, const PosesLike& poses_a, const PosesLike& poses_b,
+      [ask](const ShapesLike& a, const ShapesLike& b, double length, const PosesLike& poses_a, const PosesLike& poses_b,
             Solid solid_a, Solid solid_b, int threads) {
-        const std::vector<PairQuery> queries = queries_of(poses_a, poses_b, solid_a, solid_b);
-        const Batch<PairQuery> batch(a.model, b.model, queries);
-        const Interruptible call(threads, is_quick(a.model) && is_quick(b.model));
-        return array_told(call.ask([&](const BatchOptions& options) { return ask(batch, length, options); }));
+        const PairsAsked pairs(a, b, poses_a, poses_b, solid_a, solid_b);
+        return array_told(asked_of_pairs(
+            pairs, threads,
+            [&](const Batch<PairQuery>& batch, const BatchOptions& options) { return ask(batch, length, options); }));
       },
       nb::arg("a"), nb::arg("b"), nb::arg(length_name), nb::arg("poses_a") = nb::none(),
       nb::arg("poses_b") = nb::none(), nb::kw_only(), nb::arg("solid_a") = Solid::automatic,
       nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads, doc);
-}
-
-std::vector<ContactWithPoints> with_points(const std::vector<Contact>& contacts, const Model& a, const Model& b,
-                                           const PairQuery& query) {
-  std::vector<ContactWithPoints> told;
-  told.reserve(contacts.size());
-  for (const Contact& contact : contacts) {
-    told.push_back({contact, {}});
-    if (contact.intersection.kind == IntersectionKind::none) continue;
-    const auto points = intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.triangle_a),
-                                            world_triangle(b, query.pose_b, contact.triangle_b));
-    std::copy_n(points.points.begin(), points.count, told.back().points.begin());
-  }
-  return told;
-}
-
-void bind_contacts(nb::module_& module) {
-  const auto bind = [&](const char* name, const char* doc, auto ask) {
-    module.def(
-        name,
-        [ask](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
-              Solid solid_b, int threads) {
-          PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
-          query.threads = threads;
-          return structured(
-              asked_about(a.model, b.model, [&](const Model& x, const Model& y) { return ask(x, y, query); }));
-        },
-        nb::arg("a"), nb::arg("b"), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(), nb::kw_only(),
-        nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = own_thread,
-        doc);
-  };
-  bind("contacts", R"(All pairs of triangles, or of other elements, that have a point in common; exact and in order.
-
-A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
-shape inside a solid mesh that does not touch its surface has none: ask relation. Raises Error like overlap.)",
-       [](const Model& a, const Model& b, const PairQuery& query) { return contacts(a, b, query); });
-  bind("contacts_with_points", R"(The same, with the points in which the triangles meet.
-
-The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
-the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
-there are none: ask manifold.)",
-       [](const Model& a, const Model& b, const PairQuery& query) {
-         return with_points(contacts(a, b, query), a, b, query);
-       });
-  module.def(
-      "self_contacts",
-      [](const AnyShape& mesh, const PoseLike& pose) {
-        const Pose placed = pose_of(pose, "pose");
-        return structured(asked_about(mesh.model, [&](const Model& model) { return self_contacts(model, placed); }));
-      },
-      nb::arg("mesh"), nb::arg("pose") = nb::none(),
-      "Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A "
-      "structured array as of contacts, with triangle_a the lesser. Exact. Raises Error for what is no mesh.");
-  module.def(
-      "self_overlap",
-      [](const AnyShape& mesh, const PoseLike& pose) {
-        const Pose placed = pose_of(pose, "pose");
-        return asked_about(mesh.model, [&](const Model& model) { return self_overlap(model, placed); });
-      },
-      nb::arg("mesh"), nb::arg("pose") = nb::none(), "Whether a mesh intersects itself. Exact.");
-}
-
-nb::object rows_of(const Manifold& manifold) {
-  std::vector<Vec3> positions;
-  for (int i = 0; i < manifold.count; ++i) positions.push_back(manifold.points[static_cast<std::size_t>(i)].position);
-  return array_over<double>(std::move(positions), {3});
-}
-
-nb::object depths_of(const Manifold& manifold) {
-  std::vector<double> depths;
-  for (int i = 0; i < manifold.count; ++i) depths.push_back(manifold.points[static_cast<std::size_t>(i)].depth);
-  return array_over<double>(std::move(depths), {});
-}
-
-void bind_manifold(nb::module_& module) {
-  nb::class_<Manifold>(
-      module, "Manifold",
-      "Where two convex shapes touch or overlap: up to four points that stand for the region of contact, "
-      "rounded. Its length is the number of points, 0 when they are apart.")
-      .def("__len__", [](const Manifold& m) { return m.count; })
-      .def_prop_ro("count", [](const Manifold& m) { return m.count; })
-      .def_prop_ro(
-          "normal", [](const Manifold& m) { return array_of(m.normal); }, "Unit, from A to B; shape (3,).")
-      .def_prop_ro(
-          "positions", [](const Manifold& m) { return nb::borrow<Floats>(rows_of(m)); },
-          "Half way between the two surfaces, in the world; shape (count, 3).")
-      .def_prop_ro(
-          "depths", [](const Manifold& m) { return nb::borrow<Floats>(depths_of(m)); },
-          "How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).")
-      .def("__repr__", [](const Manifold& m) { return fmt::format("<toccata.Manifold of {} points>", m.count); });
-  bind_question(module, "manifold",
-                R"(Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
-
-Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.)",
-                [](const Model& a, const Model& b, const PairQuery& query) { return manifold(a, b, query); });
 }
 
 void bind_casts(nb::module_& module) {
@@ -221,8 +97,9 @@ void bind_casts(nb::module_& module) {
          Solid solid_a, Solid solid_b) {
         const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
         const Vec3 way = vector_of(motion, "motion");
-        return asked_about(a.model, b.model,
-                           [&](const Model& x, const Model& y) { return cast_shape(x, way, y, query); });
+        return asked_about(a.model, b.model, [&](const Model& x, const Model& y) {
+          return cast_shape(x, way, y, query, kept_workspace());
+        });
       },
       nb::arg("a"), nb::arg("motion"), nb::arg("b"), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(),
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
@@ -265,11 +142,6 @@ void bind_answers(nb::module_& module) {
       .value("a_in_b", Containment::a_in_b)
       .value("b_in_a", Containment::b_in_a)
       .value("equal", Containment::equal);
-  nb::enum_<IntersectionKind>(module, "IntersectionKind", nb::is_arithmetic(), "What two triangles have in common.")
-      .value("none", IntersectionKind::none)
-      .value("point", IntersectionKind::point)
-      .value("segment", IntersectionKind::segment)
-      .value("polygon", IntersectionKind::polygon, "They are coplanar and overlap.");
   bind_answer<Distance>(module);
   bind_answer<Penetration>(module);
   bind_answer<Relation>(module);
@@ -280,49 +152,51 @@ void bind_answers(nb::module_& module) {
 
 void bind_pair_questions(nb::module_& module) {
   bind_answers(module);
-  bind_question(module, "overlap",
-                R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
+  bind_question(
+      module, "overlap",
+      R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
 
 Of cylinders, cones and ellipsoids a no is proved, and what is undecided counts as yes. Raises Error when a pose is not
 finite, or one that its shape may not have, and when an open mesh is asked about as a solid.)",
-                [](const Model& a, const Model& b, const PairQuery& query) { return overlap(a, b, query); });
-  bind_question(module, "relation",
-                "How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which "
-                "contains the other. Raises Error like overlap.",
-                [](const Model& a, const Model& b, const PairQuery& query) { return relation(a, b, query); });
+      [](const Model& a, const Model& b, const PairQuery& query) { return overlap(a, b, query, kept_workspace()); });
+  bind_question(
+      module, "relation",
+      "How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which "
+      "contains the other. Raises Error like overlap.",
+      [](const Model& a, const Model& b, const PairQuery& query) { return relation(a, b, query, kept_workspace()); });
   bind_question(
       module, "distance",
       R"(How far the two posed shapes are apart, certified: an interval that contains the exact distance, and the nearest points.
 
 0 when they meet, also when one lies within a solid. In the unit of the coordinates. Raises Error like overlap.)",
-      [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query); });
+      [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query, kept_workspace()); });
   bind_question_of_length(
       module, "within_distance", "tolerance",
       "Is the exact distance at most the tolerance, in the unit of the coordinates? Decided exactly, and "
       "for less than the distance costs. Raises Error like overlap, and for a negative tolerance.",
       [](const Model& a, const Model& b, double tolerance, const PairQuery& query) {
-        return within_distance(a, b, tolerance, query);
+        return within_distance(a, b, tolerance, query, kept_workspace());
       });
   bind_question_of_length(
       module, "distance_within", "limit",
       "What distance answers where it is at most the limit, else None, which is found out without it.",
       [](const Model& a, const Model& b, double limit, const PairQuery& query) {
-        return distance_within(a, b, limit, query);
+        return distance_within(a, b, limit, query, kept_workspace());
       });
   bind_question(module, "penetration", R"(How deep two solids overlap, as an interval, and a short way to part them.
 
 Of convex shapes narrow; of meshes and compounds the bracket holds as well, and may be wide. In the unit of the
 coordinates. Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two half-spaces.)",
-                [](const Model& a, const Model& b, const PairQuery& query) { return penetration(a, b, query); });
-  bind_manifold(module);
-  bind_contacts(module);
+                [](const Model& a, const Model& b, const PairQuery& query) {
+                  return penetration(a, b, query, kept_workspace());
+                });
   bind_casts(module);
 
   bind_questions(
       module, "overlap_each", R"(overlap for many poses, on all cores: a bool for each.
 
 Poses are N matrices of the shape (N, 4, 4) or (N, 3, 4), N translations (N, 3), N poses of scipy or toccata, or one for
-all. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
+all; a and b are one shape, or a list of N. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
 is asked wrongly.)",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return overlap_each(batch, options); });
   bind_questions(

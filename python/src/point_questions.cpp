@@ -15,6 +15,7 @@
 #include "calls.hpp"
 #include "described.hpp"
 #include "shapes.hpp"
+#include "workspace.hpp"
 
 namespace toccata::python {
 namespace {
@@ -39,7 +40,8 @@ void bind_nearest(nb::module_& module) {
       [](const ArrayLike& point, const AnyShape& surface, const PoseLike& pose, double max_distance) {
         const Vec3 at = vector_of(point, "point");
         const NearestQuery query = nearest_query(pose, max_distance);
-        return asked_about(surface.model, [&](const Model& model) { return nearest_point(at, model, query); });
+        return asked_about(surface.model,
+                           [&](const Model& model) { return nearest_point(at, model, query, kept_workspace()); });
       },
       nb::arg("point"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
       R"(The nearest point of the surface of a posed shape, also from within.
@@ -88,8 +90,9 @@ void bind_sides(nb::module_& module) {
       [](const ArrayLike& point, const AnyShape& shape, const PoseLike& pose, SignBy sign_by) {
         const Vec3 at = vector_of(point, "point");
         const Pose placed = pose_of(pose, "pose");
-        return asked_about(shape.model,
-                           [&](const Model& model) { return signed_distance(at, model, placed, sign_by); });
+        return asked_about(shape.model, [&](const Model& model) {
+          return signed_distance(at, model, placed, sign_by, kept_workspace());
+        });
       },
       nb::arg("point"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
       R"(How far a point is from the surface of a posed shape, negative inside.

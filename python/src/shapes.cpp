@@ -549,6 +549,18 @@ void bind_compound(nb::module_& module) {
 
 }  // namespace
 
+Models models_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
+  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them", what));
+  Models models;
+  for (const nb::handle shape : given) {
+    if (!nb::isinstance<AnyShape>(shape))
+      throw Error(fmt::format("{}: entry {} is no shape", what, models.each.size()));
+    models.each.push_back(nb::cast<const AnyShape&>(shape).model);
+  }
+  return models;
+}
+
 nb::object shape_object(const Model& model) {
   return std::visit([&]<class S>(const S&) { return nb::cast(ShapeOf<S>{AnyShape{model}}); }, model.shape());
 }
@@ -562,7 +574,8 @@ void bind_shapes(nb::module_& module) {
   nb::class_<AnyShape>(
       module, "Shape",
       "What all shapes have in common. A shape is made once, may be shared by threads, and is asked about "
-      "under any pose. Lengths have no unit: they come back in that of the numbers given.")
+      "under any pose. Lengths have no unit: they come back in that of the numbers given.",
+      nb::is_weak_referenceable())
       .def_prop_ro(
           "kind", [](const AnyShape& shape) { return std::string(name_of(shape.model.shape())); },
           "'sphere', 'convex hull', 'mesh' …")

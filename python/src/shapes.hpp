@@ -2,7 +2,10 @@
 
 #include <nanobind/nanobind.h>
 
+#include <cstddef>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <toccata/query/model.hpp>
 
@@ -15,6 +18,15 @@ struct AnyShape {
   Model model;
 };
 
+/// One shape, or many of which each has its number.
+struct Models {
+  std::vector<Model> each;
+  bool single = false;
+
+  [[nodiscard]] const Model& operator[](std::size_t i) const { return single ? each.front() : each[i]; }
+};
+[[nodiscard]] Models models_of(nb::handle given, std::string_view what);
+
 /// The class of one kind of shapes in Python.
 template <class Kind>
 struct ShapeOf : AnyShape {};
@@ -26,8 +38,14 @@ void bind_poses(nb::module_& module);
 void bind_shapes(nb::module_& module);
 void bind_pair_questions(nb::module_& module);
 void bind_point_questions(nb::module_& module);
+void bind_contact_questions(nb::module_& module);
 void bind_scenes(nb::module_& module);
+void bind_motions(nb::module_& module);
 void bind_worlds(nb::module_& module);
 void bind_robots(nb::module_& module);
+void bind_boxes(nb::module_& module);
+void bind_parts(nb::module_& module);
+void bind_caches(nb::module_& module);
+void bind_pages(nb::module_& module);
 
 }  // namespace toccata::python

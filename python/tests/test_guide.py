@@ -1,4 +1,4 @@
-"""The programs of docs/guide/python.md run, one after the other, and print what the page says."""
+"""The programs of the pages about Python run, those of a page one after the other, and print what the page says."""
 
 import contextlib
 import io
@@ -7,16 +7,19 @@ import re
 
 import pytest
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/guide/python.md"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = ["README.md", *(f"docs/guide/{name}.md" for name in ("python", "python-batches", "from-trimesh", "from-python-fcl"))]
 
 
-@pytest.mark.skipif(not PAGE.exists(), reason="the guide is not beside the tests")
-def test_programs_print_what_the_page_says():
-    blocks = re.findall(r"```python\n(.*?)```\n\n```output\n(.*?)```", PAGE.read_text(), re.DOTALL)
-    assert len(blocks) >= 4
+@pytest.mark.skipif(not (ROOT / "docs/guide").exists(), reason="the guide is not beside the tests")
+@pytest.mark.parametrize("page", PAGES)
+def test_programs_print_what_the_page_says(page):
+    file = ROOT / page
+    blocks = re.findall(r"```python\n(.*?)```\n\n(?:prints\n\n)?```output\n(.*?)```", file.read_text(), re.DOTALL)
+    assert blocks
     known: dict = {}
     for program, told in blocks:
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            exec(compile(program, str(PAGE), "exec"), known)
+            exec(compile(program, str(file), "exec"), known)
         assert printed.getvalue() == told

@@ -69,7 +69,7 @@ def test_poses_of_both_and_of_many_sorts():
     assert toccata.overlap_each(a, b).tolist() == [True]
     assert toccata.overlap_each(a, b, poses_b=numpy.zeros((0, 4, 4))).shape == (0,)
     assert toccata.distance_each(a, b, poses_b=numpy.zeros((0, 4, 4)))["lower"].shape == (0,)
-    with pytest.raises(toccata.Error, match="20 poses of a and 3 of b"):
+    with pytest.raises(toccata.Error, match="20 poses of a and 3 poses of b"):
         toccata.distance_each(a, b, poses, poses[:3])
 
 

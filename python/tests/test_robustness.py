@@ -120,6 +120,41 @@ def test_meshes(vertices, faces):
         tried(mesh.update, vertices * 2)
 
 
+@OFTEN
+@given(ANYTHING, ANYTHING)
+def test_scenes_worlds_and_motions(a, b):
+    index, world = toccata.SceneIndex([BALL, (BOX, (3, 0, 0))]), toccata.World()
+    body = world.add(BALL)
+    for ask in (index.overlapping, index.nearest, index.relations, world.overlapping, world.nearest):
+        tried(ask, BALL, a)
+        tried(ask, a)
+        tried(ask, BALL, only=b)
+    for ask in (index.cast_ray, index.cast_ray_each, world.cast_ray_through, index.nearest_each, world.overlapping_each):
+        tried(ask, a, b)
+    for ask in (toccata.SceneIndex, toccata.check_all, toccata.self_contacts_each, toccata.overlapping_pairs, world.remove, world.exclude):
+        tried(ask, a)
+        tried(ask, [BALL, a])
+    tried(toccata.check_all, [BALL, (BOX, a)], clearance=b)
+    tried(toccata.check_all, [BALL, BOX], pair_clearances=a)
+    tried(toccata.overlap_each, [BALL, BOX], a, b)
+    tried(toccata.contacts_each, MESH, [MESH, BOX], a, b)
+    tried(world.add, BALL, a, margin=b)
+    tried(world.add_each, [BALL, BOX], a, b)
+    tried(world.move, body, a)
+    tried(world.move, a, b)
+    tried(world.move_along, body, a)
+    tried(world.step)
+    for ask in (toccata.RigidMotion, toccata.RigidMotion.straight, toccata.RigidMotion.between, toccata.RigidMotion.through):
+        tried(ask, a, b)
+    tried(toccata.sweep, BALL, a, BOX, b)
+    tried(toccata.sweep_each, BALL, a, BOX)
+    tried(toccata.vertex_face_impacts, a, b)
+    tried(toccata.SceneInstance, BALL, a, name=b)
+    tried(toccata.BroadPhase().add, a)
+    tried(toccata.BroadPhase().move, a, b)
+    tried(toccata.BodyFilter, except_bodies=a)
+
+
 @pytest.mark.parametrize(
     "arguments, words",
     [

@@ -4,7 +4,8 @@ import numpy
 from numpy.typing import NDArray
 
 import toccata
-from toccata import Box, Distance, Mesh, Pose, Shape, Sphere
+from toccata import Box, Distance, Mesh, Pose, Shape, Sphere, fcl
+from toccata.trimesh import CollisionManager
 
 vertices: NDArray[numpy.float64] = numpy.zeros((3, 3))
 mesh: Mesh = Mesh(vertices, [[0, 1, 2]])
@@ -25,6 +26,27 @@ try:
 except toccata.Error as error:
     words: str = str(error)
 version: str = toccata.__version__
+
+index: toccata.SceneIndex = toccata.SceneIndex([mesh, (mesh, pose), toccata.SceneInstance(mesh, name="ball")])
+first: toccata.SceneRayHit | None = index.cast_ray((0, 0, 9), (0, 0, -9))
+if first is not None:
+    which: int = first.object
+rows: NDArray[numpy.void] = index.nearest_each(mesh, [pose, pose], only=[True, False, True])
+world: toccata.World = toccata.World(distance=True)
+body: toccata.BodyId = world.add(mesh, pose, type=toccata.BodyType.static_body)
+step: toccata.WorldStep = world.step()
+begun: NDArray[numpy.void] = step.begin.pairs
+world.move(body, pose)
+world.move(world.add_each([mesh, mesh]), numpy.zeros((2, 4, 4)))
+motion: toccata.RigidMotion = toccata.RigidMotion.between(pose, (1, 2, 3))
+swept: toccata.ShapeHit = toccata.sweep(mesh, motion, mesh, pose)
+checked: toccata.CheckAnswer = toccata.check_all([mesh, mesh], clearance=0.1)
+parts: list[toccata.ConvexPart] = toccata.decompose(mesh).parts
+pairs: NDArray[numpy.uint32] = toccata.overlapping_pairs(numpy.zeros((4, 2, 3)))
+page: toccata.Page = toccata.show([mesh], title="A mesh")
+manager = CollisionManager()
+manager.add_object("mesh", mesh)
+hit: bool = fcl.collide(fcl.CollisionObject(fcl.Box(1, 1, 1)), fcl.CollisionObject(fcl.Sphere(1))) > 0
 
 toccata.distance(mesh, 5)  # type: ignore[arg-type]
 toccata.overlap(mesh)  # type: ignore[call-arg]

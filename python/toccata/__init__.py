@@ -3,11 +3,14 @@
 Shapes are made once and asked about under any pose; `overlap(a, b, pose_b=matrix)` answers one question, `overlap_each(a,
 b, poses_b=matrices)` many, on all cores. Numbers have no unit: lengths come back in that of what was given. Every yes or no
 is exact, and every length an interval that contains the exact one. What is asked wrongly raises `toccata.Error`, a
-ValueError that says what to do. See docs/guide/python.md.
+ValueError that says what to do. Many posed shapes are a SceneIndex, or a World when they move. `toccata.trimesh` and
+`toccata.fcl` stand in for trimesh's collision manager and for python-fcl. See docs/guide/python.md.
 """
 
 from . import _core
 from ._core import *  # noqa: F403
 from ._core import __version__
+from ._show import Page, show
 
-__all__ = sorted(name for name in vars(_core) if not name.startswith("_")) + ["__version__"]
+Page.__module__ = show.__module__ = "toccata"
+__all__ = sorted(name for name in vars(_core) if not name.startswith("_")) + ["Page", "show", "__version__"]

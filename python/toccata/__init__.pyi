@@ -4,15 +4,23 @@ Exact collision detection: do these shapes touch, how far apart are they, how de
 Shapes are made once and asked about under any pose; `overlap(a, b, pose_b=matrix)` answers one question, `overlap_each(a,
 b, poses_b=matrices)` many, on all cores. Numbers have no unit: lengths come back in that of what was given. Every yes or no
 is exact, and every length an interval that contains the exact one. What is asked wrongly raises `toccata.Error`, a
-ValueError that says what to do. See docs/guide/python.md.
+ValueError that says what to do. Many posed shapes are a SceneIndex, or a World when they move. `toccata.trimesh` and
+`toccata.fcl` stand in for trimesh's collision manager and for python-fcl. See docs/guide/python.md.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 import enum
+import os
 from typing import overload
 
+import Solid
 import numpy.typing
 
+from toccata._show import (
+    __init__ as __init__,
+    __repr__ as __repr__,
+    write as write
+)
 import toccata._typing
 
 
@@ -597,18 +605,6 @@ class Containment(enum.IntEnum):
 
     equal = 3
 
-class IntersectionKind(enum.IntEnum):
-    """What two triangles have in common."""
-
-    none = 0
-
-    point = 1
-
-    segment = 2
-
-    polygon = 3
-    """They are coplanar and overlap."""
-
 class Distance:
     """
     How far apart two posed shapes are, in the unit of the coordinates: the exact distance lies in [lower, upper], whose width is at most 1e-12 of upper. Both are 0 when they meet.
@@ -833,64 +829,6 @@ def penetration(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = No
     coordinates. Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two half-spaces.
     """
 
-class Manifold:
-    """
-    Where two convex shapes touch or overlap: up to four points that stand for the region of contact, rounded. Its length is the number of points, 0 when they are apart.
-    """
-
-    def __len__(self) -> int: ...
-
-    @property
-    def count(self) -> int: ...
-
-    @property
-    def normal(self) -> toccata._typing.Floats:
-        """Unit, from A to B; shape (3,)."""
-
-    @property
-    def positions(self) -> toccata._typing.Floats:
-        """Half way between the two surfaces, in the world; shape (count, 3)."""
-
-    @property
-    def depths(self) -> toccata._typing.Floats:
-        """
-        How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).
-        """
-
-    def __repr__(self) -> str: ...
-
-def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Manifold:
-    """
-    Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
-
-    Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.
-    """
-
-def contacts(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 1) -> toccata._typing.Answers:
-    """
-    All pairs of triangles, or of other elements, that have a point in common; exact and in order.
-
-    A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
-    shape inside a solid mesh that does not touch its surface has none: ask relation. Raises Error like overlap.
-    """
-
-def contacts_with_points(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 1) -> toccata._typing.Answers:
-    """
-    The same, with the points in which the triangles meet.
-
-    The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
-    the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
-    there are none: ask manifold.
-    """
-
-def self_contacts(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
-    """
-    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with triangle_a the lesser. Exact. Raises Error for what is no mesh.
-    """
-
-def self_overlap(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> bool:
-    """Whether a mesh intersects itself. Exact."""
-
 def cast_shape(a: Shape, motion: numpy.typing.ArrayLike, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
     """
     Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands.
@@ -904,34 +842,34 @@ def cast_shape_each(a: Shape, motions: numpy.typing.ArrayLike, b: Shape, poses_a
     cast_shape of many motions, shape (N, 3), and poses, N or one of each: a structured array with the members of ShapeHit.
     """
 
-def overlap_each(a: Shape, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
+def overlap_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
     """
     overlap for many poses, on all cores: a bool for each.
 
     Poses are N matrices of the shape (N, 4, 4) or (N, 3, 4), N translations (N, 3), N poses of scipy or toccata, or one for
-    all. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
+    all; a and b are one shape, or a list of N. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
     is asked wrongly.
     """
 
-def relation_each(a: Shape, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+def relation_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
     relation for many poses, on all cores: a structured array with the members of Relation, kind and containment as numbers of their enumerations.
     """
 
-def distance_each(a: Shape, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+def distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
     distance for many poses, on all cores: a structured array with the members of Distance.
     """
 
-def within_distance_each(a: Shape, b: Shape, tolerance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
+def within_distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, tolerance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
     """within_distance for many poses, on all cores: a bool for each."""
 
-def penetration_each(a: Shape, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+def penetration_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
     penetration for many poses, on all cores: a structured array with the members of Penetration.
     """
 
-def count_contacts_each(a: Shape, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+def count_contacts_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
     How many triangles and faces meet, for many poses: a structured array with triangle_pairs and face_pairs.
     """
@@ -1190,6 +1128,1118 @@ def cast_ray_each(origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLi
     cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the members of RayHit.
     """
 
-__all__: list = ['Box', 'Capsule', 'Compound', 'Cone', 'Containment', 'ConvexHull', 'Cylinder', 'Distance', 'Ellipsoid', 'Error', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshHealth', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'Rounded', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'contacts', 'contacts_with_points', 'count_contacts_each', 'distance', 'distance_each', 'distance_within', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'load_mesh', 'locate', 'manifold', 'nearest_point', 'nearest_point_each', 'nearest_points', 'overlap', 'overlap_each', 'penetration', 'penetration_each', 'relation', 'relation_each', 'self_contacts', 'self_overlap', 'signed_distance', 'signed_distance_each', 'within_distance', 'within_distance_each', '__version__']
+class IntersectionKind(enum.IntEnum):
+    """What two triangles have in common."""
+
+    none = 0
+
+    point = 1
+
+    segment = 2
+
+    polygon = 3
+    """They are coplanar and overlap."""
+
+def contacts(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 1) -> toccata._typing.Answers:
+    """
+    All pairs of triangles, or of other elements, that have a point in common; exact and in order.
+
+    A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
+    shape inside a solid mesh that does not touch its surface has none: ask relation. Raises Error like overlap.
+    """
+
+def contacts_with_points(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 1) -> toccata._typing.Answers:
+    """
+    The same, with the points in which the triangles meet.
+
+    The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
+    the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
+    there are none: ask manifold.
+    """
+
+def contacts_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+    """
+    contacts of many, on all cores: one structured array of all, in order, with the fields of contacts and before them query, which says of which question a row is.
+    """
+
+def contact_regions(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> toccata._typing.Answers:
+    """
+    The places at which two meshes meet, the deepest first: a structured array.
+
+    One region is one connected part that two solids have in common, or one curve or area in which surfaces meet. The fields
+    are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, area, normal (from A
+    to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point). Only the counts, closed and the
+    bounds of the depth are exact. Raises Error like overlap, and for what is no mesh or height field.
+    """
+
+def contact_regions_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+    """
+    contact_regions of many, on all cores: one structured array of all, in order, whose field query says of which question a row is.
+    """
+
+def self_contacts(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
+    """
+    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with triangle_a the lesser. Exact. Raises Error for what is no mesh.
+    """
+
+def self_overlap(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> bool:
+    """Whether a mesh intersects itself. Exact."""
+
+class Manifold:
+    """
+    Where two convex shapes touch or overlap: up to four points that stand for the region of contact, rounded. Its length is the number of points, 0 when they are apart.
+    """
+
+    def __len__(self) -> int: ...
+
+    @property
+    def count(self) -> int: ...
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, from A to B; shape (3,)."""
+
+    @property
+    def positions(self) -> toccata._typing.Floats:
+        """Half way between the two surfaces, in the world; shape (count, 3)."""
+
+    @property
+    def depths(self) -> toccata._typing.Floats:
+        """
+        How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).
+        """
+
+    def __repr__(self) -> str: ...
+
+def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Manifold:
+    """
+    Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
+
+    Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.
+    """
+
+class SceneInstance:
+    """
+    A shape at its place, as one of many.
+
+    What it is called is for messages; two of one group that is not empty are not checked against each other (check_all).
+    """
+
+    def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, solid: Solid = Solid.automatic, name: str = '', group: str = '') -> None: ...
+
+    @property
+    def shape(self) -> Shape: ...
+
+    @property
+    def pose(self) -> Pose: ...
+
+    @property
+    def solid(self) -> Solid: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def group(self) -> str: ...
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __reduce__(self) -> tuple: ...
+
+    __hash__: None = None
+
+class SceneRayHit:
+    """
+    What a ray meets first. True in a condition exactly when something is met.
+    """
+
+    @property
+    def object(self) -> int:
+        """Of which of the objects: its index."""
+
+    @property
+    def hit(self) -> bool:
+        """Something is met; that nothing is met is proved."""
+
+    @property
+    def lower(self) -> float:
+        """The exact fraction of the way is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact fraction of the way is at most this; from 0 to 1."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """Where, in the world; shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, against the ray; zero where it starts inside. Shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element(self) -> int:
+        """The element, of a mesh the triangle."""
+
+    @property
+    def face(self) -> int:
+        """The face, as its file counts them from 0."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class SceneShapeHit:
+    """
+    Where a moving shape first meets another. True in a condition exactly when something is met.
+    """
+
+    @property
+    def object(self) -> int:
+        """Of which of the objects: its index."""
+
+    @property
+    def hit(self) -> bool:
+        """Something is met; that nothing is met is proved."""
+
+    @property
+    def lower(self) -> float:
+        """The exact fraction of the way is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact fraction of the way is at most this; from 0 to 1."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """Where they meet then, in the world; shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, from B to A, which moves; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def element_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class SceneDistance:
+    """
+    How far apart two posed shapes are, in the unit of the coordinates: the exact distance lies in [lower, upper], whose width is at most 1e-12 of upper. Both are 0 when they meet.
+    """
+
+    @property
+    def object(self) -> int:
+        """Of which of the objects: its index."""
+
+    @property
+    def lower(self) -> float:
+        """The exact distance is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact distance is at most this; 0 when the shapes meet."""
+
+    @property
+    def on_a(self) -> toccata._typing.Floats:
+        """The nearest point of A, in the world; shape (3,)."""
+
+    @property
+    def on_b(self) -> toccata._typing.Floats:
+        """The nearest point of B, in the world; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def element_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class SceneIndex:
+    """
+    Posed shapes that stay where they are, in a tree over their boxes.
+
+    Made of a list of shapes, pairs (shape, pose) and SceneInstances. Each answer is what the question of that name gives for
+    every one of them by itself. Objects are told by their index in the list; `only`, an array of as many truths, says which
+    are asked. Questions may be asked from many threads at once. Raises Error naming the object that cannot be posed so.
+    """
+
+    def __init__(self, objects: toccata._typing.ObjectsLike) -> None: ...
+
+    def __len__(self) -> int: ...
+
+    @property
+    def objects(self) -> list[SceneInstance]: ...
+
+    def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple: ...
+
+    def cast_ray(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> SceneRayHit | None:
+        """
+        The first of all that the ray from origin to origin + motion meets, both of the shape (3,), or None, which is proved. As cast_ray of one shape.
+        """
+
+    def cast_ray_through(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> toccata._typing.Answers:
+        """
+        Where the ray meets each of them first, in order: a structured array with the members of what cast_ray returns.
+        """
+
+    def cast_ray_each(self, origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, *, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found.
+        """
+
+    def cast_shape(self, shape: Shape, motion: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> SceneShapeHit | None:
+        """
+        The first of all that the shape, which is A, meets on its way, or None, which is proved. As cast_shape of two.
+        """
+
+    def cast_shape_each(self, shapes: toccata._typing.ShapesLike, motions: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N: a structured array with the members of what cast_shape returns, and found.
+        """
+
+    def overlapping(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
+        """Which of them have a point in common with the shape, ascending. Exact."""
+
+    def relations(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
+        """
+        The same, and how: the shape is A. A structured array with the members of Relation and which it is.
+        """
+
+    def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
+        """
+        Which of them are at most so far from the shape, ascending. Decided exactly.
+        """
+
+    def overlapping_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        overlapping of one shape or N, at one pose or N: one structured array of all that was found, in order, whose field query says of which question a row is.
+        """
+
+    def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        within of one shape or N, at one pose or N: a structured array as that of overlapping_each.
+        """
+
+    def nearest(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None) -> SceneDistance | None:
+        """
+        The nearest of all to the shape, which is A, as distance tells it of two; None where none is within the greatest distance, which is decided exactly.
+        """
+
+    def nearest_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
+        """
+
+class DepthEnd(enum.IntEnum):
+    """Why the search for a depth ended."""
+
+    precise = 0
+
+    exhausted = 1
+
+    out_of_time = 2
+
+class CheckAnswer:
+    """
+    What check_all found. Its length is the number of pairs.
+
+    Everything is told in structured arrays; where one has a field pair, that counts the rows of pairs.
+    """
+
+    def __len__(self) -> int: ...
+
+    @property
+    def pairs(self) -> toccata._typing.Answers:
+        """a, b and the members of Relation, ascending by (a, b): a new array."""
+
+    @property
+    def contacts(self) -> toccata._typing.Answers:
+        """pair and the fields of contacts."""
+
+    @property
+    def regions(self) -> toccata._typing.Answers:
+        """
+        pair and the fields of contact_regions, of two meshes, with penetration.
+        """
+
+    @property
+    def distances(self) -> toccata._typing.Answers:
+        """pair and the members of Distance, where a clearance was asked for."""
+
+    @property
+    def penetrations(self) -> toccata._typing.Answers:
+        """pair, the members of Penetration, and end (DepthEnd)."""
+
+    @property
+    def candidate_pairs(self) -> int:
+        """How many pairs were looked at."""
+
+    def __repr__(self) -> str: ...
+
+def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, clearance: float | None = None, pair_clearances: Sequence[tuple[int, int, float]] | None = None, precision: float = 0.1, threads: int = 0) -> CheckAnswer:
+    """
+    Every two of many posed shapes that are not apart, or nearer than the clearance, and how they lie.
+
+    The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
+    (brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
+    (a, b, length), says others for some. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
+    naming the object that is asked about wrongly.
+    """
+
+def self_contacts_each(objects: toccata._typing.ObjectsLike, *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, and object, which says whose contact a row is.
+    """
+
+class RigidMotion:
+    """
+    How a shape moves, without changing its form, in the time from 0 to 1.
+
+    At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
+    counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
+    rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not finite.
+    """
+
+    def __init__(self, start: toccata._typing.PoseLike | None = None, translation: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), turns: float = 0.0, axis: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
+
+    @staticmethod
+    def straight(start: toccata._typing.PoseLike | None, translation: numpy.typing.ArrayLike) -> RigidMotion:
+        """Straight on, without a turn."""
+
+    @staticmethod
+    def between(start: toccata._typing.PoseLike | None, end: toccata._typing.PoseLike | None, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> RigidMotion:
+        """
+        From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape turns about it the shorter way at an even speed. Raises Error when no turn leads from one to the other.
+        """
+
+    @staticmethod
+    def screw(start: toccata._typing.PoseLike | None, end: toccata._typing.PoseLike | None) -> RigidMotion:
+        """
+        From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.
+        """
+
+    @staticmethod
+    def through(times: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> RigidMotion:
+        """
+        Through poses at times that ascend from 0 to 1, as between each and the next.
+        """
+
+    def at(self, time: float) -> Pose:
+        """
+        The pose at a time from 0 to 1, rounded. Raises Error for another time.
+        """
+
+    def carrying(self, fixed: toccata._typing.PoseLike) -> RigidMotion:
+        """
+        How something moves that is fixed to the shape: placed by a pose in its frame.
+        """
+
+    @property
+    def pieces(self) -> list[tuple[float, float, Pose, tuple[tuple[float, float, float], tuple[float, float, float], float, tuple[float, float, float]]]]:
+        """(begin, end, start, (centre, axis, turns, translation)) of each piece."""
+
+    def __repr__(self) -> str: ...
+
+def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
+    """
+    When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
+
+    Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
+    coordinates; negative: when they are so deep in each other. Raises Error like cast_shape.
+    """
+
+def sweep_each(a: Shape, motions_a: Sequence[RigidMotion], b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+    """
+    sweep of many motions of A, on all cores: a structured array with the members of ShapeHit. Raises Error naming the motion.
+    """
+
+def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: float = 0.0, max_parts: int = 1024, solid: Solid = Solid.automatic) -> tuple[Shape, float]:
+    """
+    A shape, in the world, that contains all that a body passes, and how far outside of it it reaches at most; both proved. excess: how far it may reach, 0: a 32nd of the body's diagonal.
+    """
+
+def vertex_face_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40.
+    """
+
+def edge_edge_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    The same of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other.
+    """
+
+class BodyType(enum.Enum):
+    """Which pairs of bodies are of interest."""
+
+    static_body = 0
+    """Part of the surroundings: two such never make a pair."""
+
+    kinematic_body = 1
+    """Goes where its owner says, whatever it meets."""
+
+    dynamic_body = 2
+    """Reacts to what it meets."""
+
+class BodyId:
+    """
+    Names a body of a World for as long as it is there, and never another one.
+    """
+
+    @property
+    def index(self) -> int:
+        """Dense; given out again."""
+
+    @property
+    def generation(self) -> int:
+        """From 1."""
+
+    @property
+    def world(self) -> int:
+        """From 1; a copy has its original's."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    def __hash__(self) -> int: ...
+
+class Body:
+    """
+    A shape at its place in a World, and what is to be told of it.
+
+    Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
+    sum of their margins apart: lengths in the unit of the coordinates.
+    """
+
+    def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> None: ...
+
+    @property
+    def shape(self) -> Shape: ...
+
+    @property
+    def pose(self) -> Pose: ...
+
+    @property
+    def type(self) -> BodyType: ...
+
+    @property
+    def solid(self) -> Solid: ...
+
+    @property
+    def group(self) -> int: ...
+
+    @property
+    def mask(self) -> int: ...
+
+    @property
+    def margin(self) -> float: ...
+
+    @property
+    def user_data(self) -> int: ...
+
+    @property
+    def name(self) -> str: ...
+
+    def __repr__(self) -> str: ...
+
+class BodyFilter:
+    """Which bodies of a World are asked."""
+
+    def __init__(self, *, mask: int = 18446744073709551615, group: int = 0, except_bodies: toccata._typing.BodiesLike | None = None) -> None:
+        """
+        Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask has it; and none of except_bodies.
+        """
+
+class WorldPairs:
+    """
+    Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array has a field pair, that counts the rows of pairs.
+    """
+
+    def __len__(self) -> int: ...
+
+    @property
+    def pairs(self) -> toccata._typing.Answers:
+        """
+        A structured array: a, b (each with index, generation, world), in_contact.
+        """
+
+    @property
+    def relations(self) -> toccata._typing.Answers:
+        """pair and the members of Relation, if asked for."""
+
+    @property
+    def distances(self) -> toccata._typing.Answers:
+        """pair and the members of Distance, if asked for."""
+
+    @property
+    def penetrations(self) -> toccata._typing.Answers:
+        """pair and the members of Penetration, if asked for."""
+
+    @property
+    def first_contacts(self) -> toccata._typing.Answers:
+        """
+        pair and the members of ShapeHit, of those that met on the way of a body (World.move_along).
+        """
+
+    @property
+    def contacts(self) -> toccata._typing.Answers:
+        """pair and the fields of contacts, if asked for."""
+
+    def manifold(self, pair: int) -> Manifold | None:
+        """Its manifold, if asked for and defined."""
+
+    def __repr__(self) -> str: ...
+
+class WorldStep:
+    """What a step of a World found; it stays as it is."""
+
+    @property
+    def begin(self) -> WorldPairs:
+        """Pairs that were not there at the step before."""
+
+    @property
+    def persist(self) -> WorldPairs:
+        """Pairs that were there at both, told as they are now."""
+
+    @property
+    def end(self) -> WorldPairs:
+        """Pairs that were there at the step before only, told as they were then."""
+
+    @property
+    def candidates(self) -> int:
+        """How many pairs had to be decided."""
+
+    @property
+    def asked(self) -> int:
+        """How many of them could not be taken over from the step before."""
+
+    def __repr__(self) -> str: ...
+
+class BodyRayHit:
+    """
+    What a ray meets first. True in a condition exactly when something is met.
+    """
+
+    @property
+    def body(self) -> BodyId:
+        """Of which body."""
+
+    @property
+    def hit(self) -> bool:
+        """Something is met; that nothing is met is proved."""
+
+    @property
+    def lower(self) -> float:
+        """The exact fraction of the way is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact fraction of the way is at most this; from 0 to 1."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """Where, in the world; shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, against the ray; zero where it starts inside. Shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element(self) -> int:
+        """The element, of a mesh the triangle."""
+
+    @property
+    def face(self) -> int:
+        """The face, as its file counts them from 0."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class BodyShapeHit:
+    """
+    Where a moving shape first meets another. True in a condition exactly when something is met.
+    """
+
+    @property
+    def body(self) -> BodyId:
+        """Of which body."""
+
+    @property
+    def hit(self) -> bool:
+        """Something is met; that nothing is met is proved."""
+
+    @property
+    def lower(self) -> float:
+        """The exact fraction of the way is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact fraction of the way is at most this; from 0 to 1."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """Where they meet then, in the world; shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, from B to A, which moves; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def element_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class BodyDistance:
+    """
+    How far apart two posed shapes are, in the unit of the coordinates: the exact distance lies in [lower, upper], whose width is at most 1e-12 of upper. Both are 0 when they meet.
+    """
+
+    @property
+    def body(self) -> BodyId:
+        """Of which body."""
+
+    @property
+    def lower(self) -> float:
+        """The exact distance is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact distance is at most this; 0 when the shapes meet."""
+
+    @property
+    def on_a(self) -> toccata._typing.Floats:
+        """The nearest point of A, in the world; shape (3,)."""
+
+    @property
+    def on_b(self) -> toccata._typing.Floats:
+        """The nearest point of B, in the world; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def element_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class World:
+    """
+    Bodies that move, and the pairs of them that are in contact or near, step by step.
+
+    The options say what is told of every pair, besides that it is one; each costs what the question of that name costs.
+    kinematic_pairs: whether two kinematic bodies, and a kinematic and a static one, make pairs. space_time: pairs that cannot
+    meet for some steps are not looked at in these. Which pairs is exact, and the same on any number of threads. Questions
+    about the bodies where they are now need no step; `only` is a BodyFilter. A World may be used from many threads, one after the
+    other.
+    """
+
+    def __init__(self, *, relation: bool = False, distance: bool = False, contacts: bool = False, manifold: bool = False, penetration: bool = False, kinematic_pairs: bool = True, space_time: bool = False, broad_phase: str = 'auto', threads: int = 1) -> None: ...
+
+    @overload
+    def add(self, body: Body) -> BodyId: ...
+
+    @overload
+    def add(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> BodyId:
+        """
+        The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no length and for a pose that its shape may not have.
+        """
+
+    def add_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, margins: numpy.typing.ArrayLike = 0.0, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615) -> toccata._typing.Answers:
+        """
+        Adds one shape at many poses, or as many shapes; the array of their ids (index, generation, world), in order.
+        """
+
+    def remove(self, bodies: toccata._typing.BodiesLike) -> None:
+        """
+        Removes bodies, with their rules. Raises Error naming an id that is of no body here.
+        """
+
+    def move(self, bodies: toccata._typing.BodiesLike, poses: toccata._typing.PosesLike) -> None:
+        """
+        Gives bodies other poses, however far: as many poses as bodies, or one. Raises Error as add does.
+        """
+
+    def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | Sequence[RigidMotion]) -> None:
+        """
+        Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels.
+        """
+
+    def replace(self, id: BodyId, body: Body) -> None:
+        """Makes a body into another one, all of it; its id and rules stay."""
+
+    def set_rule(self, a: BodyId, b: BodyId, *, excluded: bool = False, margin: float | None = None) -> None:
+        """
+        What is said about two bodies in particular: that they never make a pair, or another margin than the sum of theirs. A rule that says nothing ends an earlier one.
+        """
+
+    def exclude(self, a: toccata._typing.BodiesLike, b: toccata._typing.BodiesLike) -> None:
+        """
+        Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays.
+        """
+
+    def step(self) -> WorldStep:
+        """
+        Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.
+        """
+
+    def any_overlap(self) -> bool:
+        """
+        Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and rules. Exact; needs no step, and stops at the first two that it finds.
+        """
+
+    @property
+    def pairs(self) -> WorldPairs:
+        """All pairs of the last step."""
+
+    def __len__(self) -> int: ...
+
+    @property
+    def bodies(self) -> toccata._typing.Answers:
+        """The ids of all, ascending: a structured array."""
+
+    def __contains__(self, id: object, /) -> bool: ...
+
+    def __getitem__(self, id: BodyId) -> Body:
+        """The body as it is now."""
+
+    @property
+    def boxes(self) -> toccata._typing.Floats:
+        """
+        By index, the boxes around all bodies without their margins, shape (N, 2, 3): a new array. Where no body has that index, the lower corner is +inf and the upper one -inf.
+        """
+
+    def __copy__(self) -> World:
+        """A snapshot: the same bodies, ids and pairs."""
+
+    def __deepcopy__(self, memo: dict[int, object]) -> World: ...
+
+    def __repr__(self) -> str: ...
+
+    def cast_ray(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> BodyRayHit | None:
+        """
+        The first of all that the ray from origin to origin + motion meets, both of the shape (3,), or None, which is proved. As cast_ray of one shape.
+        """
+
+    def cast_ray_through(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> toccata._typing.Answers:
+        """
+        Where the ray meets each of them first, in order: a structured array with the members of what cast_ray returns.
+        """
+
+    def cast_ray_each(self, origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, *, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found.
+        """
+
+    def cast_shape(self, shape: Shape, motion: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> BodyShapeHit | None:
+        """
+        The first of all that the shape, which is A, meets on its way, or None, which is proved. As cast_shape of two.
+        """
+
+    def cast_shape_each(self, shapes: toccata._typing.ShapesLike, motions: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N: a structured array with the members of what cast_shape returns, and found.
+        """
+
+    def overlapping(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
+        """Which of them have a point in common with the shape, ascending. Exact."""
+
+    def relations(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
+        """
+        The same, and how: the shape is A. A structured array with the members of Relation and which it is.
+        """
+
+    def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
+        """
+        Which of them are at most so far from the shape, ascending. Decided exactly.
+        """
+
+    def overlapping_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        overlapping of one shape or N, at one pose or N: one structured array of all that was found, in order, whose field query says of which question a row is.
+        """
+
+    def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        within of one shape or N, at one pose or N: a structured array as that of overlapping_each.
+        """
+
+    def nearest(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None) -> BodyDistance | None:
+        """
+        The nearest of all to the shape, which is A, as distance tells it of two; None where none is within the greatest distance, which is decided exactly.
+        """
+
+    def nearest_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+        """
+        nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
+        """
+
+def overlapping_pairs(boxes: numpy.typing.ArrayLike, *, method: str = 'auto', threads: int = 0) -> toccata._typing.Indices:
+    """
+    Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. Pairs of indices, shape (K, 2), ascending. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises Error naming a box of which a side is no number.
+    """
+
+class BroadPhase:
+    """
+    Boxes that move, and the pairs of them that overlap; touching counts.
+
+    Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are removed. One thread uses it at a time.
+    """
+
+    def __init__(self, *, method: str = 'auto', threads: int = 1) -> None: ...
+
+    def add(self, boxes: numpy.typing.ArrayLike) -> toccata._typing.Indices:
+        """The numbers given to the boxes, in their order."""
+
+    def remove(self, numbers: numpy.typing.ArrayLike) -> None:
+        """Raises Error naming a number that is in use no more."""
+
+    def move(self, numbers: numpy.typing.ArrayLike, boxes: numpy.typing.ArrayLike) -> None:
+        """Gives box numbers[i] the place boxes[i]."""
+
+    def update(self) -> toccata._typing.Indices:
+        """The pairs of the boxes as they are now, shape (K, 2), ascending."""
+
+    def changes(self) -> tuple[toccata._typing.Indices, toccata._typing.Indices]:
+        """
+        Pairs that the last update found and the one before did not, and the reverse.
+        """
+
+    @property
+    def method(self) -> str:
+        """That of the last update, never 'auto'."""
+
+    def __len__(self) -> int: ...
+
+class ConvexPart:
+    """A convex part of a mesh."""
+
+    @property
+    def hull(self) -> ConvexHull: ...
+
+    @property
+    def volume(self) -> float:
+        """Of the hull, rounded."""
+
+    @property
+    def concavity(self) -> float:
+        """No point of the hull is farther than this from the solid; proved."""
+
+    @property
+    def concavity_found(self) -> float:
+        """Some point of the hull is as far as this, at least."""
+
+    @property
+    def faces(self) -> toccata._typing.Indices:
+        """
+        Of the mesh, ascending: those that the part has more than the border of.
+        """
+
+class ConvexParts:
+    """Convex parts whose union contains a solid."""
+
+    def __len__(self) -> int: ...
+
+    @property
+    def parts(self) -> list[ConvexPart]:
+        """By falling volume."""
+
+    @property
+    def mesh_volume(self) -> float:
+        """Of the solid, rounded."""
+
+    @property
+    def hull_volume(self) -> float:
+        """Of all hulls."""
+
+    @property
+    def excess(self) -> float:
+        """hull_volume - mesh_volume."""
+
+    @property
+    def concavity(self) -> float:
+        """The greatest of all parts."""
+
+    def compound(self) -> Compound:
+        """
+        The parts as one shape, for questions that are to be about them and not about the mesh.
+        """
+
+    def __repr__(self) -> str: ...
+
+def decompose(mesh: Shape, *, max_parts: int = 32, concavity: float = 0.0, threads: int = 1) -> ConvexParts:
+    """
+    Convex parts whose union contains the solid that a closed mesh encloses; that is proved.
+
+    It stops cutting at max_parts, or where no part is farther than the concavity (in the unit of the mesh) from the solid
+    (J.-M. Lien, N. M. Amato, "Approximate convex decomposition of polyhedra", 2007). The same on any number of threads. Ctrl-C
+    ends it. Raises Error for what is no closed mesh, and for a limit out of range.
+    """
+
+class DistanceCache:
+    """
+    What is kept of one question of distance for the next about the same two meshes, which have moved little in between. It changes no bit of any answer. It belongs to the first two meshes asked about.
+    """
+
+    def __init__(self) -> None: ...
+
+    def distance(self, a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance:
+        """
+        What distance answers, to the last bit. Raises Error like it, and for another mesh than the first time.
+        """
+
+    def clear(self) -> None:
+        """Forgets everything, also which meshes it was used for."""
+
+    @property
+    def questions(self) -> int:
+        """How many were asked with it."""
+
+    @property
+    def searches(self) -> int:
+        """Of them, those that were searched as without a cache."""
+
+    def __repr__(self) -> str: ...
+
+def view_page(objects: toccata._typing.ObjectsLike, *, title: str = 'Toccata', up: str = 'z', faces: bool = True, penetration: bool = True, clearance: float | None = None, threads: int = 0) -> str:
+    """
+    One self-contained HTML page that shows posed shapes and what check_all finds of them.
+
+    It opens from disk in any browser with WebGL 2. up: the axis that points up, 'y' or 'z'. faces: which faces meet, and in what
+    curves; penetration: how deep. Raises Error like check_all.
+    """
+
+def write_view_page(page: str, path: str) -> None:
+    """
+    Writes a page: the file is complete or not there. Raises Error naming the file when it exists and was not written by Toccata, or cannot be written.
+    """
+
+from ._show import Page as Page, show as show
+
+__all__: list[str] = ['Body', 'BodyDistance', 'BodyFilter', 'BodyId', 'BodyRayHit', 'BodyShapeHit', 'BodyType', 'Box', 'BroadPhase', 'Capsule', 'CheckAnswer', 'Compound', 'Cone', 'Containment', 'ConvexHull', 'ConvexPart', 'ConvexParts', 'Cylinder', 'DepthEnd', 'Distance', 'DistanceCache', 'Ellipsoid', 'Error', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshHealth', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'RigidMotion', 'Rounded', 'SceneDistance', 'SceneIndex', 'SceneInstance', 'SceneRayHit', 'SceneShapeHit', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'World', 'WorldPairs', 'WorldStep', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'check_all', 'contact_regions', 'contact_regions_each', 'contacts', 'contacts_each', 'contacts_with_points', 'count_contacts_each', 'decompose', 'distance', 'distance_each', 'distance_within', 'edge_edge_impacts', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'load_mesh', 'locate', 'manifold', 'nearest_point', 'nearest_point_each', 'nearest_points', 'overlap', 'overlap_each', 'overlapping_pairs', 'penetration', 'penetration_each', 'relation', 'relation_each', 'self_contacts', 'self_contacts_each', 'self_overlap', 'signed_distance', 'signed_distance_each', 'sweep', 'sweep_each', 'swept_volume', 'vertex_face_impacts', 'view_page', 'within_distance', 'within_distance_each', 'write_view_page', 'Page', 'show', '__version__']
 
 __version__: str

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
-    from ._core import Pose
+    from . import BodyId, Pose, RigidMotion, SceneInstance, Shape
 
 Floats: TypeAlias = NDArray[numpy.float64]
 Indices: TypeAlias = NDArray[numpy.uint32]
@@ -35,3 +35,7 @@ class HasVerticesAndFaces(Protocol):
 
 PoseLike: TypeAlias = Union["Pose", ArrayLike, HasMatrix, tuple[Union[ArrayLike, HasMatrix], ArrayLike]]
 PosesLike: TypeAlias = Union[PoseLike, Sequence["Pose"]]
+ShapesLike: TypeAlias = Union["Shape", Sequence["Shape"]]
+ObjectsLike: TypeAlias = Iterable[Union["SceneInstance", "Shape", tuple["Shape", Union[PoseLike, None]]]]
+MotionLike: TypeAlias = Union["RigidMotion", PoseLike]
+BodiesLike: TypeAlias = Union["BodyId", Sequence["BodyId"], Answers]

@@ -1,0 +1,52 @@
+// What C++ takes for the batch that measure_python.py asks in Python: `batch MESH.obj POSES COUNT` reads COUNT · 12
+// doubles (R row by row, then t) and prints processor seconds of one thread, and how many of the poses meet.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <numeric>
+#include <vector>
+
+#include <toccata/io/model_file.hpp>
+#include <toccata/query/batch.hpp>
+
+using namespace toccata;
+
+namespace {
+
+std::vector<PairQuery> read_queries(const char* path, std::size_t count) {
+  std::vector<PairQuery> queries(count);
+  std::FILE* file = std::fopen(path, "rb");
+  if (file == nullptr) std::exit(2);
+  for (PairQuery& query : queries) {
+    double numbers[12];
+    if (std::fread(numbers, sizeof(double), 12, file) != 12) std::exit(2);
+    for (int i = 0; i < 3; ++i) query.pose_b.linear[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+    query.pose_b.offset = {numbers[9], numbers[10], numbers[11]};
+  }
+  std::fclose(file);
+  return queries;
+}
+
+double seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 4) return 2;
+  const Model mesh = load_model(words[1]);
+  const std::vector<PairQuery> queries = read_queries(words[2], std::strtoull(words[3], nullptr, 10));
+  double best = 1e300;
+  long meet = 0;
+  for (int round = 0; round < 3; ++round) {
+    const double begin = seconds();
+    const auto found = overlap_each({mesh, mesh, queries}, {.threads = 1});
+    best = std::min(best, seconds() - begin);
+    meet = std::accumulate(found.begin(), found.end(), 0L);
+  }
+  std::printf("%.9g %ld\n", best, meet);
+}

@@ -1,0 +1,230 @@
+"""Measures the Python package beside its peers, in one run on the same inputs, and compares the answers.
+
+usage: measure_python.py [--mesh FILE.obj] [--poses N] [--parts N] [--json FILE] [--library BUILD]
+
+Peers that are not installed are left out: python-fcl, coal, pybullet, trimesh. With --library, a folder in which the
+library is built (build/release), the same batch is timed in C++ too. Times are the processor's, of one thread, and each
+the best of several rounds, so that a busy machine disturbs them less. Exits with 1 where an answer differs.
+"""
+
+import argparse
+import importlib
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy
+
+import toccata
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+
+
+def installed(name: str) -> Any:
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        return None
+
+
+def best(work: Callable[[], Any], rounds: int = 5, times: int = 1) -> float:
+    """Processor seconds of one call."""
+    found = []
+    for _ in range(rounds):
+        begin = time.process_time()
+        for _ in range(times):
+            work()
+        found.append(time.process_time() - begin)
+    return min(found) / times
+
+
+def rotations(count: int, rng: numpy.random.Generator) -> numpy.ndarray:
+    q = rng.normal(size=(count, 4))
+    w, x, y, z = (q / numpy.linalg.norm(q, axis=1, keepdims=True)).T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return numpy.moveaxis(numpy.array(rows), 2, 0)
+
+
+def random_poses(count: int, spread: float, seed: int) -> numpy.ndarray:
+    rng = numpy.random.default_rng(seed)
+    poses = numpy.tile(numpy.eye(4), (count, 1, 1))
+    poses[:, :3, :3] = rotations(count, rng)
+    poses[:, :3, 3] = rng.uniform(-spread, spread, (count, 3))
+    return poses
+
+
+def measure_call() -> dict:
+    """One call: the distance of a sphere and a box. What C++ takes is that of a batch of them, a question."""
+    ball, box, pose = toccata.Sphere(0.25), toccata.Box((1, 1, 0.5)), toccata.Pose((0.25, 0, 3))
+    ask, times = toccata.distance, 20_000
+    batch = numpy.tile(pose.matrix, (100_000, 1, 1))
+    pairs = {
+        "call": best(lambda: ask(box, ball, None, pose), times=times),
+        "call, pose by its name": best(lambda: ask(box, ball, pose_b=pose), times=times),
+        "loop alone": best(lambda: None, times=times),
+        "a question of a batch": best(lambda: toccata.distance_each(box, ball, poses_b=batch, threads=1)) / len(batch),
+    }
+    told = ask(box, ball, None, pose).upper
+    wrong = []
+    if fcl := installed("fcl"):
+        of_box = fcl.CollisionObject(fcl.Box(2, 2, 1))
+        of_ball = fcl.CollisionObject(fcl.Sphere(0.25), fcl.Transform(numpy.eye(3), numpy.array([0.25, 0, 3.0])))
+        pairs["python-fcl"] = best(lambda: fcl.distance(of_box, of_ball), times=2_000)
+        if abs(fcl.distance(of_box, of_ball) - told) > 1e-3:
+            wrong.append("python-fcl")
+    if coal := installed("coal"):
+        shape_a, shape_b, at = coal.Box(2, 2, 1), coal.Sphere(0.25), coal.Transform3s(numpy.eye(3), numpy.array([0.25, 0, 3.0]))
+        here, request, result = coal.Transform3s(), coal.DistanceRequest(), coal.DistanceResult()
+
+        def by_coal() -> float:
+            result.clear()
+            return float(coal.distance(shape_a, here, shape_b, at, request, result))
+
+        pairs["coal"] = best(by_coal, times=2_000)
+        if abs(by_coal() - told) > 1e-6:
+            wrong.append("coal")
+    if pybullet := installed("pybullet"):
+        client = pybullet.connect(pybullet.DIRECT)
+        bodies = [
+            pybullet.createMultiBody(0, pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[1, 1, 0.5])),
+            pybullet.createMultiBody(0, pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=0.25), basePosition=[0.25, 0, 3]),
+        ]
+        pairs["pybullet"] = best(lambda: pybullet.getClosestPoints(*bodies, distance=10), times=2_000)
+        if abs(pybullet.getClosestPoints(*bodies, distance=10)[0][8] - told) > 1e-3:
+            wrong.append("pybullet")
+        pybullet.disconnect(client)
+    overhead = pairs["call"] - pairs["loop alone"] - pairs["a question of a batch"]
+    return {"nanoseconds": {k: round(v * 1e9) for k, v in pairs.items()}, "overhead over C++ in nanoseconds": round(overhead * 1e9), "wrong": wrong}
+
+
+def measure_batch(mesh: str, count: int, library: pathlib.Path | None) -> dict:
+    """A mesh against itself at many poses, on one thread."""
+    shape = toccata.load_mesh(mesh)
+    size = float(numpy.ptp(shape.vertices, axis=0).max())
+    poses = random_poses(count, 0.7 * size, 3)
+    seconds = best(lambda: toccata.overlap_each(shape, shape, poses_b=poses, threads=1), rounds=3)
+    found = toccata.overlap_each(shape, shape, poses_b=poses, threads=1)
+    told: dict = {"poses": count, "meet": int(found.sum()), "microseconds a pose": seconds / count * 1e6, "wrong": []}
+    if fcl := installed("fcl"):
+        model = fcl.BVHModel()
+        model.beginModel(len(shape.vertices), len(shape.faces))
+        model.addSubModel(shape.vertices, shape.faces)
+        model.endModel()
+        still, moved = fcl.CollisionObject(model), fcl.CollisionObject(model)
+        some = poses[: min(count, 2000)]
+
+        def by_fcl() -> list:
+            answers = []
+            for pose in some:
+                moved.setTransform(fcl.Transform(pose[:3, :3], pose[:3, 3]))
+                answers.append(fcl.collide(still, moved) > 0)
+            return answers
+
+        told["python-fcl, microseconds a pose"] = best(by_fcl, rounds=2) / len(some) * 1e6
+        surfaces = toccata.overlap_each(shape, shape, poses_b=some, solid_a=toccata.Solid.none, solid_b=toccata.Solid.none)
+        told["answers of python-fcl that differ from the exact ones of the surfaces"] = int((surfaces != by_fcl()).sum())
+    if library is not None:
+        per_pose, meet = by_cpp(mesh, poses, library)
+        told["C++, microseconds a pose"] = per_pose * 1e6
+        told["Python to C++"] = seconds / count / per_pose
+        if meet != told["meet"]:
+            told["wrong"].append("C++")
+    return told
+
+
+def by_cpp(mesh: str, poses: numpy.ndarray, library: pathlib.Path) -> tuple[float, int]:
+    with tempfile.TemporaryDirectory() as folder:
+        program, file = pathlib.Path(folder) / "batch", pathlib.Path(folder) / "poses"
+        numbers = numpy.concatenate([poses[:, :3, :3].reshape(-1, 9), poses[:, :3, 3]], axis=1)
+        file.write_bytes(numpy.ascontiguousarray(numbers).tobytes())
+        source = pathlib.Path(__file__).with_name("batch.cpp")
+        words = ["-std=c++20", "-O2", "-ffp-contract=off", f"-I{ROOT / 'include'}", source, library / "libtoccata.a"]
+        subprocess.run(["c++", *map(str, words), "-ltbb", "-lhwy", "-lfmt", "-lpthread", "-o", str(program)], check=True)
+        run = subprocess.run([str(program), mesh, str(file), str(len(poses))], capture_output=True, text=True, check=True)
+        seconds, meet = run.stdout.split()
+        return float(seconds) / len(poses), int(meet)
+
+
+def measure_manager(count: int) -> dict:
+    """trimesh's collision manager of many parts that move before every question."""
+    trimesh = installed("trimesh")
+    if trimesh is None:
+        return {"skipped": "trimesh is not installed"}
+    import toccata.trimesh
+
+    shapes = [trimesh.creation.torus(1, 0.3), trimesh.creation.icosphere(radius=0.7), trimesh.creation.annulus(0.3, 0.8, 0.5)]
+    steps = [random_poses(count, 0.9 * count ** (1 / 3), 20 + i) for i in range(4)]
+    told: dict = {"parts": count, "wrong": []}
+    answers: dict = {}
+    kinds = {"toccata": toccata.trimesh.CollisionManager}
+    if installed("fcl"):
+        kinds["trimesh with python-fcl"] = trimesh.collision.CollisionManager
+    for kind, Manager in kinds.items():
+        manager = Manager()
+        begin = time.process_time()
+        for i, pose in enumerate(steps[0]):
+            manager.add_object(f"part {i}", shapes[i % 3], pose)
+        times = {"add all": time.process_time() - begin}
+
+        def move(poses: numpy.ndarray) -> None:
+            for i, pose in enumerate(poses):
+                manager.set_transform(f"part {i}", pose)
+
+        def moved_and_asked(**words: bool) -> list:
+            return [(move(poses), manager.in_collision_internal(**words))[1] for poses in steps]
+
+        times["in_collision_internal"] = best(moved_and_asked, rounds=3) / len(steps)
+        times["… of them, set_transform"] = best(lambda: [move(poses) for poses in steps], rounds=3) / len(steps)
+        times["in_collision_internal(return_names)"] = best(lambda: moved_and_asked(return_names=True), rounds=3) / len(steps)
+        answers[kind] = [names for _, names in moved_and_asked(return_names=True)]
+        told[kind] = {name: f"{seconds * 1e3:.3f} ms" for name, seconds in times.items()}
+        told.setdefault("seconds", {})[kind] = times
+    seconds = told.pop("seconds")
+    if len(seconds) == 2:
+        ours, theirs = seconds["toccata"], seconds["trimesh with python-fcl"]
+        told["times as fast"] = {name: round(theirs[name] / ours[name], 1) for name in ours}
+        told["pairs"] = [len(names) for names in answers["toccata"]]
+        told["pairs that python-fcl lacks or has besides"] = [
+            len(a ^ b) for a, b in zip(answers["toccata"], answers["trimesh with python-fcl"])
+        ]
+    return told
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--mesh", help="a closed mesh; without, a torus knot is generated")
+    parser.add_argument("--poses", type=int, default=100_000)
+    parser.add_argument("--parts", type=int, default=200)
+    parser.add_argument("--library", type=pathlib.Path)
+    parser.add_argument("--json", type=pathlib.Path)
+    words = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        mesh = words.mesh
+        if mesh is None:
+            mesh = str(pathlib.Path(folder) / "knot.obj")
+            toccata.generate_mesh("torus-knot").write(mesh)
+        report = {
+            "version": toccata.__version__,
+            "python": sys.version.split()[0],
+            "one call": measure_call(),
+            "a batch": {"mesh": pathlib.Path(mesh).name, **measure_batch(mesh, words.poses, words.library)},
+            "a collision manager": measure_manager(words.parts),
+        }
+    text = json.dumps(report, indent=1, ensure_ascii=False)
+    print(text)
+    if words.json:
+        words.json.write_text(text + "\n")
+    return 1 if any(part.get("wrong") for part in report.values() if isinstance(part, dict)) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

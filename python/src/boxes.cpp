@@ -1,0 +1,122 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <toccata/broad/broad_phase.hpp>
+#include <toccata/core/error.hpp>
+
+#include "arrays.hpp"
+#include "calls.hpp"
+#include "shapes.hpp"
+
+namespace toccata::python {
+namespace {
+
+Indices rows_of(std::vector<IndexPair> pairs) {
+  static_assert(sizeof(IndexPair) == 2 * sizeof(Index));
+  return nb::borrow<Indices>(array_over<Index>(std::move(pairs), {2}));
+}
+
+/// A BroadPhase as Python holds it: as HeldWorld.
+class HeldBoxes {
+ public:
+  explicit HeldBoxes(const BroadPhaseOptions& options) : phase_(options) {}
+
+  template <class Use>
+  auto with(const Use& use) const {
+    const nb::gil_scoped_release released;
+    const std::lock_guard guard(*mutex_);
+    return use(phase_);
+  }
+
+ private:
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  mutable BroadPhase phase_;
+};
+
+BroadPhaseOptions options_of(const std::string& method, int threads) {
+  return {.method = broad_phase_method(method), .threads = threads};
+}
+
+std::vector<IndexPair> kept(std::span<const IndexPair> pairs) { return {pairs.begin(), pairs.end()}; }
+
+}  // namespace
+
+void bind_boxes(nb::module_& module) {
+  module.def(
+      "overlapping_pairs",
+      [](const ArrayLike& boxes, const std::string& method, int threads) {
+        const std::vector<Aabb> given = boxes_of(boxes, "boxes");
+        const BroadPhaseOptions options = options_of(method, threads);
+        return rows_of(without_lock([&] { return overlapping_pairs(given, options); }));
+      },
+      nb::arg("boxes"), nb::kw_only(), nb::arg("method") = "auto", nb::arg("threads") = all_threads,
+      "Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. "
+      "Pairs of "
+      "indices, shape (K, 2), ascending. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises "
+      "Error "
+      "naming a box of which a side is no number.");
+  nb::class_<HeldBoxes>(module, "BroadPhase", R"(Boxes that move, and the pairs of them that overlap; touching counts.
+
+Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are removed. One thread uses it at a time.)")
+      .def(
+          "__init__",
+          [](HeldBoxes* place, const std::string& method, int threads) {
+            new (place) HeldBoxes(options_of(method, threads));
+          },
+          nb::kw_only(), nb::arg("method") = "auto", nb::arg("threads") = own_thread)
+      .def(
+          "add",
+          [](const HeldBoxes& held, const ArrayLike& boxes) {
+            const std::vector<Aabb> given = boxes_of(boxes, "boxes");
+            return nb::borrow<Indices>(
+                array_over<Index>(held.with([&](BroadPhase& phase) { return phase.add(given); }), {}));
+          },
+          nb::arg("boxes"), "The numbers given to the boxes, in their order.")
+      .def(
+          "remove",
+          [](const HeldBoxes& held, const ArrayLike& numbers) {
+            const std::vector<Index> given = indices_of(numbers, 1, "numbers");
+            held.with([&](BroadPhase& phase) { phase.remove(given); });
+          },
+          nb::arg("numbers"), "Raises Error naming a number that is in use no more.")
+      .def(
+          "move",
+          [](const HeldBoxes& held, const ArrayLike& numbers, const ArrayLike& boxes) {
+            const std::vector<Index> given = indices_of(numbers, 1, "numbers");
+            const std::vector<Aabb> places = boxes_of(boxes, "boxes");
+            held.with([&](BroadPhase& phase) { phase.move(given, std::span<const Aabb>(places)); });
+          },
+          nb::arg("numbers"), nb::arg("boxes"), "Gives box numbers[i] the place boxes[i].")
+      .def(
+          "update",
+          [](const HeldBoxes& held) {
+            return rows_of(held.with([](BroadPhase& phase) { return kept(phase.update()); }));
+          },
+          "The pairs of the boxes as they are now, shape (K, 2), ascending.")
+      .def(
+          "changes",
+          [](const HeldBoxes& held) {
+            PairChanges changes = held.with([](const BroadPhase& phase) { return phase.changes(); });
+            return nb::make_tuple(rows_of(std::move(changes.begin)), rows_of(std::move(changes.end)));
+          },
+          "Pairs that the last update found and the one before did not, and the reverse.",
+          nb::sig("def changes(self) -> tuple[toccata._typing.Indices, toccata._typing.Indices]"))
+      .def_prop_ro(
+          "method",
+          [](const HeldBoxes& held) {
+            return std::string(held.with([](const BroadPhase& phase) { return name_of(phase.method()); }));
+          },
+          "That of the last update, never 'auto'.")
+      .def("__len__",
+           [](const HeldBoxes& held) { return held.with([](const BroadPhase& phase) { return phase.size(); }); });
+}
+
+}  // namespace toccata::python

@@ -1,0 +1,242 @@
+#include "motions.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
+#include <toccata/core/parallel.hpp>
+#include <toccata/motion/swept_volume.hpp>
+#include <toccata/motion/time_of_impact.hpp>
+
+#include "calls.hpp"
+#include "described.hpp"
+#include "shapes.hpp"
+
+namespace toccata::python {
+
+template <>
+struct Described<TimeOfImpact> {
+  static constexpr const char* name = "TimeOfImpact";
+  static constexpr const char* doc = "When two moving features first meet.";
+  static constexpr std::tuple fields{field<TimeOfImpact, &TimeOfImpact::hit>("hit", ""),
+                                     field<TimeOfImpact, &TimeOfImpact::lower>("lower", ""),
+                                     field<TimeOfImpact, &TimeOfImpact::upper>("upper", "")};
+};
+
+RigidMotion motion_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<RigidMotion>(given)) return nb::cast<const RigidMotion&>(given);
+  return {pose_of(given, what)};
+}
+
+std::vector<RigidMotion> motions_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<RigidMotion>(given)) return {nb::cast<const RigidMotion&>(given)};
+  if (!is_list(given)) throw Error(fmt::format("{}: a RigidMotion is needed, or a list of them", what));
+  std::vector<RigidMotion> motions;
+  for (const nb::handle motion : given) {
+    if (!nb::isinstance<RigidMotion>(motion))
+      throw Error(fmt::format("{}: entry {} is no RigidMotion", what, motions.size()));
+    motions.push_back(nb::cast<const RigidMotion&>(motion));
+  }
+  return motions;
+}
+
+namespace {
+
+nb::list pieces_of(const RigidMotion& motion) {
+  nb::list pieces;
+  for (const RigidMotion::Piece& piece : motion.pieces())
+    pieces.append(nb::make_tuple(piece.begin, piece.end, piece.start,
+                                 nb::make_tuple(tuple_of(piece.move.centre), tuple_of(piece.move.axis),
+                                                piece.move.turns, tuple_of(piece.move.translation))));
+  return pieces;
+}
+
+RigidMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayLike& centre) {
+  const Doubles numbers = doubles(times, "times");
+  const Poses at = poses_of(poses, "poses");
+  if (numbers.shape.size() != 1 || at.single || at.each.size() != numbers.rows())
+    throw Error("times, poses: as many times as poses are needed, two at least");
+  std::vector<MotionKey> keys;
+  for (std::size_t i = 0; i < at.each.size(); ++i) keys.push_back({numbers.data[i], at.each[i]});
+  return RigidMotion::through(keys, vector_of(centre, "centre"));
+}
+
+void bind_motion(nb::module_& module) {
+  const nb::tuple origin = nb::make_tuple(0.0, 0.0, 0.0);
+  nb::class_<RigidMotion>(module, "RigidMotion",
+                          R"(How a shape moves, without changing its form, in the time from 0 to 1.
+
+At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
+counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
+rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not finite.)")
+      .def(
+          "__init__",
+          [](RigidMotion* place, const PoseLike& start, const ArrayLike& translation, double turns,
+             const ArrayLike& axis, const ArrayLike& centre) {
+            const RigidMove move{vector_of(centre, "centre"), vector_of(axis, "axis"), turns,
+                                 vector_of(translation, "translation")};
+            new (place) RigidMotion(pose_of(start, "start"), move);
+          },
+          nb::arg("start") = nb::none(), nb::arg("translation") = origin, nb::arg("turns") = 0.0,
+          nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("centre") = origin)
+      .def_static(
+          "straight",
+          [](const PoseLike& start, const ArrayLike& translation) {
+            return RigidMotion::straight(pose_of(start, "start"), vector_of(translation, "translation"));
+          },
+          nb::arg("start").none(), nb::arg("translation"), "Straight on, without a turn.")
+      .def_static(
+          "between",
+          [](const PoseLike& start, const PoseLike& end, const ArrayLike& centre) {
+            return RigidMotion::between(pose_of(start, "start"), pose_of(end, "end"), vector_of(centre, "centre"));
+          },
+          nb::arg("start").none(), nb::arg("end").none(), nb::arg("centre") = origin,
+          "From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape "
+          "turns "
+          "about it the shorter way at an even speed. Raises Error when no turn leads from one to the other.")
+      .def_static(
+          "screw",
+          [](const PoseLike& start, const PoseLike& end) {
+            return RigidMotion::screw(pose_of(start, "start"), pose_of(end, "end"));
+          },
+          nb::arg("start").none(), nb::arg("end").none(),
+          "From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.")
+      .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin,
+                  "Through poses at times that ascend from 0 to 1, as between each and the next.")
+      .def(
+          "at", [](const RigidMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
+          "The pose at a time from 0 to 1, rounded. Raises Error for another time.")
+      .def(
+          "carrying",
+          [](const RigidMotion& motion, const PoseLike& fixed) { return motion.carrying(pose_of(fixed, "fixed")); },
+          nb::arg("fixed"), "How something moves that is fixed to the shape: placed by a pose in its frame.")
+      .def_prop_ro("pieces", &pieces_of, "(begin, end, start, (centre, axis, turns, translation)) of each piece.",
+                   nb::sig("def pieces(self) -> list[tuple[float, float, Pose, tuple[tuple[float, float, float], "
+                           "tuple[float, float, float], float, tuple[float, float, float]]]]"))
+      .def("__repr__", [](const RigidMotion& motion) {
+        return fmt::format("<toccata.RigidMotion of {} pieces>", motion.pieces().size());
+      });
+}
+
+/// `motion` rests or moves; the shape starts at its pose.
+void bind_sweep(nb::module_& module) {
+  module.def(
+      "sweep",
+      [](const AnyShape& a, const MotionLike& motion_a, const AnyShape& b, const MotionLike& motion_b,
+         double stop_before, Solid solid_a, Solid solid_b) {
+        const RigidMotion of_a = motion_of(motion_a, "motion_a"), of_b = motion_of(motion_b, "motion_b");
+        const SweepQuery query{solid_a, solid_b, stop_before};
+        return without_lock([&, x = a.model, y = b.model] { return sweep(x, of_a, y, of_b, query); });
+      },
+      nb::arg("a"), nb::arg("motion_a"), nb::arg("b"), nb::arg("motion_b") = nb::none(), nb::kw_only(),
+      nb::arg("stop_before") = 0.0, nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
+      R"(When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
+
+Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
+coordinates; negative: when they are so deep in each other. Raises Error like cast_shape.)");
+  module.def(
+      "sweep_each",
+      [](const AnyShape& a, const nb::object& motions_a, const AnyShape& b, const MotionLike& motion_b,
+         double stop_before, Solid solid_a, Solid solid_b, int threads) {
+        const std::vector<RigidMotion> ways = motions_of(motions_a, "motions_a");
+        const RigidMotion of_b = motion_of(motion_b, "motion_b");
+        const SweepQuery query{solid_a, solid_b, stop_before};
+        return structured(without_lock([&, x = a.model, y = b.model] {
+          std::vector<ShapeHit> hits(ways.size());
+          parallel_for(ways.size(), threads, [&](std::size_t i) {
+            try {
+              hits[i] = sweep(x, ways[i], y, of_b, query);
+            } catch (const Error& error) {
+              throw Error(fmt::format("motion {}: {}", i, error.what()));
+            }
+          });
+          return hits;
+        }));
+      },
+      nb::arg("a"), nb::arg("motions_a"), nb::arg("b"), nb::arg("motion_b") = nb::none(), nb::kw_only(),
+      nb::arg("stop_before") = 0.0, nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
+      nb::arg("threads") = all_threads,
+      nb::sig(
+          "def sweep_each(a: Shape, motions_a: collections.abc.Sequence[RigidMotion], b: Shape, motion_b: "
+          "toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, "
+          "solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers"),
+      "sweep of many motions of A, on all cores: a structured array with the members of ShapeHit. Raises Error naming "
+      "the "
+      "motion.");
+  module.def(
+      "swept_volume",
+      [](const AnyShape& shape, const MotionLike& motion, double excess, std::size_t max_parts, Solid solid) {
+        const RigidMotion way = motion_of(motion, "motion");
+        const SweptVolume volume = without_lock([&, body = shape.model] {
+          return swept_volume(body, way, {excess, max_parts, solid});
+        });
+        return nb::make_tuple(shape_object(volume.model), volume.excess);
+      },
+      nb::arg("shape"), nb::arg("motion"), nb::kw_only(), nb::arg("excess") = 0.0, nb::arg("max_parts") = 1024,
+      nb::arg("solid") = Solid::automatic,
+      nb::sig(
+          "def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: float = 0.0, max_parts: int = "
+          "1024, solid: Solid = Solid.automatic) -> tuple[Shape, float]"),
+      "A shape, in the world, that contains all that a body passes, and how far outside of it it reaches at most; both "
+      "proved. excess: how far it may reach, 0: a 32nd of the body's diagonal.");
+}
+
+/// Of an array (N, 4, 3) twice: where four points start and end.
+template <class Pair, class Make>
+std::vector<Pair> feature_pairs(const ArrayLike& starts, const ArrayLike& ends, const Make& make) {
+  const Doubles from = doubles(starts, "starts"), to = doubles(ends, "ends");
+  for (const Doubles* given : {&from, &to})
+    if (!given->has_shape(3, {4, 3}) || given->rows() != from.rows())
+      throw Error(
+          fmt::format("starts, ends: two arrays of the shape (N, 4, 3) are needed, and what is given has the shapes "
+                      "{} and {}",
+                      shape_text(from.shape), shape_text(to.shape)));
+  std::vector<Pair> pairs(from.rows());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    std::array<MovingPoint, 4> points;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double *start = from.data + 12 * i + 3 * k, *end = to.data + 12 * i + 3 * k;
+      points[k] = {{start[0], start[1], start[2]}, {end[0], end[1], end[2]}};
+    }
+    pairs[i] = make(points);
+  }
+  return pairs;
+}
+
+void bind_impacts(nb::module_& module) {
+  module.def(
+      "vertex_face_impacts",
+      [](const ArrayLike& starts, const ArrayLike& ends, int threads) {
+        const auto pairs = feature_pairs<VertexFace>(starts, ends, [](const std::array<MovingPoint, 4>& p) {
+          return VertexFace{p[0], {p[1], p[2], p[3]}};
+        });
+        return structured(without_lock([&] { return time_of_impact_each(pairs, threads); }));
+      },
+      nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
+      "When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and "
+      "the "
+      "three corners, at the times 0 and 1; they move straight on. A structured array of hit, lower and upper, two "
+      "neighbouring multiples of 2**-40.");
+  module.def(
+      "edge_edge_impacts",
+      [](const ArrayLike& starts, const ArrayLike& ends, int threads) {
+        const auto pairs = feature_pairs<EdgeEdge>(starts, ends, [](const std::array<MovingPoint, 4>& p) {
+          return EdgeEdge{{p[0], p[1]}, {p[2], p[3]}};
+        });
+        return structured(without_lock([&] { return time_of_impact_each(pairs, threads); }));
+      },
+      nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
+      "The same of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other.");
+}
+
+}  // namespace
+
+void bind_motions(nb::module_& module) {
+  bind_motion(module);
+  bind_sweep(module);
+  bind_impacts(module);
+}
+
+}  // namespace toccata::python

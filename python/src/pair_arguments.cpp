@@ -1,0 +1,69 @@
+#include "pair_arguments.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
+
+namespace toccata::python {
+namespace {
+
+/// How many there are of four things, of each of which one stands for all.
+std::size_t common_count(const Models& a, const Models& b, const Poses& poses_a, const Poses& poses_b) {
+  struct Part {
+    const char* name;
+    std::size_t count;
+    bool single;
+  };
+  const Part parts[] = {{"shapes a", a.each.size(), a.single},
+                        {"shapes b", b.each.size(), b.single},
+                        {"poses of a", poses_a.each.size(), poses_a.single},
+                        {"poses of b", poses_b.each.size(), poses_b.single}};
+  const Part* counted = nullptr;
+  for (const Part& part : parts) {
+    if (part.single) continue;
+    if (counted != nullptr && counted->count != part.count)
+      throw Error(fmt::format("there are {} {} and {} {}; give as many, or one of one of them", counted->count,
+                              counted->name, part.count, part.name));
+    if (counted == nullptr) counted = &part;
+  }
+  return counted == nullptr ? 1 : counted->count;
+}
+
+bool all_quick(const Models& models) {
+  return std::ranges::all_of(models.each, [](const Model& model) { return is_quick(model); });
+}
+
+}  // namespace
+
+PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a, Solid solid_b) {
+  return {
+      .pose_a = pose_of(pose_a, "pose_a"), .pose_b = pose_of(pose_b, "pose_b"), .solid_a = solid_a, .solid_b = solid_b};
+}
+
+PairsAsked::PairsAsked(const ShapesLike& a, const ShapesLike& b, const PosesLike& poses_a, const PosesLike& poses_b,
+                       Solid solid_a, Solid solid_b)
+    : a_(models_of(a, "a")), b_(models_of(b, "b")) {
+  const Poses of_a = poses_of(poses_a, "poses_a"), of_b = poses_of(poses_b, "poses_b");
+  const std::size_t count = common_count(a_, b_, of_a, of_b);
+  const auto query = [&](std::size_t i) {
+    return PairQuery{.pose_a = of_a[i], .pose_b = of_b[i], .solid_a = solid_a, .solid_b = solid_b};
+  };
+  if (a_.single && b_.single) {
+    queries_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) queries_[i] = query(i);
+    return;
+  }
+  pairs_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) pairs_.push_back({a_[i], b_[i], query(i)});
+}
+
+Batch<PairQuery> PairsAsked::batch() const {
+  if (a_.single && b_.single) return {a_.each.front(), b_.each.front(), queries_};
+  return Batch<PairQuery>(pairs_);
+}
+
+bool PairsAsked::is_quick() const { return all_quick(a_) && all_quick(b_); }
+
+}  // namespace toccata::python

@@ -1,0 +1,347 @@
+#include "scenes.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <toccata/query/scene_index.hpp>
+#include <toccata/query/self_contacts.hpp>
+
+#include "object_questions.hpp"
+
+namespace toccata::python {
+
+template <class Answer>
+struct Described<ObjectAnswer<Answer>> {
+  using Found = ObjectAnswer<Answer>;
+  static constexpr auto letters = prefixed<Answer>("Scene");
+  static constexpr const char* name = letters.data();
+  static constexpr const char* doc = Described<Answer>::doc;
+  static constexpr auto fields =
+      std::tuple_cat(std::tuple{field<Found, &Found::object>("object", "Of which of the objects: its index.")},
+                     fields_within<Found>(Described<Answer>::fields));
+};
+
+namespace {
+
+/// A SceneIndex as Python holds it.
+struct HeldIndex {
+  SceneIndex index;
+
+  template <class Ask>
+  auto ask(const Ask& ask) const {
+    return ask(static_cast<const ObjectQueries<SceneObjects>&>(index));
+  }
+};
+
+struct IndexRow {
+  Index query = 0;
+  Index object = 0;
+};
+
+}  // namespace
+
+template <>
+struct Described<IndexRow> {
+  static constexpr const char* name = "row";
+  static constexpr const char* doc = "";
+  static constexpr std::tuple fields{field<IndexRow, &IndexRow::query>("query", ""),
+                                     field<IndexRow, &IndexRow::object>("object", "")};
+};
+
+template <>
+struct ObjectsTold<SceneObjects> {
+  static ObjectFilter filter_of(const HeldIndex& held, const nb::object& only) {
+    if (only.is_none()) return {};
+    return [kept = bools_of(only, held.index.models().size(), "only")](Index object) { return kept[object]; };
+  }
+  static Indices ids(std::vector<Index> found) { return nb::borrow<Indices>(array_over<Index>(std::move(found), {})); }
+  static Answers rows(const std::vector<std::vector<Index>>& found) {
+    std::vector<IndexRow> rows;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (const Index object : found[i]) rows.push_back({static_cast<Index>(i), object});
+    return structured(std::move(rows));
+  }
+};
+
+namespace {
+
+/// A pair of check_all without its lists.
+struct CheckedPair {
+  Index a = 0, b = 0;
+  Relation relation{};
+};
+
+struct CheckedDepth {
+  Penetration penetration{};
+  DepthEnd end = DepthEnd::precise;
+};
+
+}  // namespace
+
+template <>
+struct Described<CheckedPair> {
+  static constexpr const char* name = "CheckedPair";
+  static constexpr const char* doc = "Two objects that are not apart, or are nearer than their clearance.";
+  static constexpr auto fields =
+      std::tuple_cat(std::tuple{field<CheckedPair, &CheckedPair::a>("a", "The index of the first."),
+                                field<CheckedPair, &CheckedPair::b>("b", "That of the second, which is greater.")},
+                     fields_within<CheckedPair, &CheckedPair::relation>(Described<Relation>::fields));
+};
+
+template <>
+struct Described<CheckedDepth> {
+  static constexpr const char* name = "CheckedDepth";
+  static constexpr const char* doc = "How deep two of them overlap.";
+  static constexpr auto fields =
+      std::tuple_cat(fields_within<CheckedDepth, &CheckedDepth::penetration>(Described<Penetration>::fields),
+                     std::tuple{field<CheckedDepth, &CheckedDepth::end>("end", "Why the bracket is no narrower.")});
+};
+
+std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what) {
+  if (!nb::hasattr(given, "__iter__") || PyUnicode_Check(given.ptr()))
+    throw Error(fmt::format("{}: a list of shapes is needed, of pairs (shape, pose), or of SceneInstances", what));
+  std::vector<SceneInstance> instances;
+  for (const nb::handle each : given) {
+    if (nb::isinstance<SceneInstance>(each)) {
+      instances.push_back(nb::cast<const SceneInstance&>(each));
+      continue;
+    }
+    const bool is_pair = PyTuple_Check(each.ptr()) && nb::len(each) == 2;
+    const nb::object shape = is_pair ? nb::object(each[0]) : nb::borrow(each);
+    if (!nb::isinstance<AnyShape>(shape))
+      throw Error(
+          fmt::format("{}: entry {} is no shape, no pair (shape, pose), and no SceneInstance", what, instances.size()));
+    const Pose pose =
+        is_pair ? pose_of(nb::object(each[1]), fmt::format("{}, entry {}", what, instances.size())) : Pose{};
+    instances.push_back({nb::cast<const AnyShape&>(shape).model, pose});
+  }
+  return instances;
+}
+
+std::vector<SceneInstance> instances_of(const ShapesLike& shapes, const PosesLike& poses, Solid solid) {
+  const Models models = models_of(shapes, "shapes");
+  const Poses at = poses_of(poses, "poses");
+  if (!models.single && !at.single && models.each.size() != at.each.size())
+    throw Error(fmt::format("there are {} shapes and {} poses; give as many, or one of one of them", models.each.size(),
+                            at.each.size()));
+  const std::size_t count = models.single ? at.each.size() : models.each.size();
+  std::vector<SceneInstance> instances;
+  instances.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) instances.push_back({models[i], at[i], solid});
+  return instances;
+}
+
+namespace {
+
+nb::tuple arguments_of(const SceneInstance& instance) {
+  return nb::make_tuple(shape_object(instance.model), instance.pose, instance.solid, instance.name, instance.group);
+}
+
+void bind_instance(nb::module_& module) {
+  nb::class_<SceneInstance>(module, "SceneInstance",
+                            R"(A shape at its place, as one of many.
+
+What it is called is for messages; two of one group that is not empty are not checked against each other (check_all).)")
+      .def(
+          "__init__",
+          [](SceneInstance* place, const AnyShape& shape, const PoseLike& pose, Solid solid, const std::string& name,
+             const std::string& group) {
+            new (place) SceneInstance{shape.model, pose_of(pose, "pose"), solid, name, group};
+          },
+          nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("solid") = Solid::automatic, nb::arg("name") = "",
+          nb::arg("group") = "")
+      .def_prop_ro(
+          "shape", [](const SceneInstance& instance) { return shape_object(instance.model); },
+          nb::sig("def shape(self) -> Shape"))
+      .def_ro("pose", &SceneInstance::pose)
+      .def_ro("solid", &SceneInstance::solid)
+      .def_ro("name", &SceneInstance::name)
+      .def_ro("group", &SceneInstance::group)
+      .def("__repr__",
+           [](const SceneInstance& instance) {
+             return fmt::format("SceneInstance{}", nb::cast<std::string>(nb::repr(arguments_of(instance))));
+           })
+      .def(
+          "__eq__",
+          [](const SceneInstance& instance, const nb::object& other) {
+            return nb::isinstance<SceneInstance>(other) &&
+                   arguments_of(instance).equal(arguments_of(nb::cast<const SceneInstance&>(other)));
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__reduce__",
+           [](const SceneInstance& instance) {
+             return nb::make_tuple(nb::type<SceneInstance>(), arguments_of(instance));
+           })
+      .attr("__hash__") = nb::none();
+}
+
+nb::list objects_of(const HeldIndex& held) {
+  nb::list objects;
+  for (const SceneInstance& instance : held.index.models()) objects.append(nb::cast(instance));
+  return objects;
+}
+
+void bind_index(nb::module_& module) {
+  bind_object_answers<SceneObjects>(module);
+  nb::class_<HeldIndex> bound(module, "SceneIndex",
+                              R"(Posed shapes that stay where they are, in a tree over their boxes.
+
+Made of a list of shapes, pairs (shape, pose) and SceneInstances. Each answer is what the question of that name gives for
+every one of them by itself. Objects are told by their index in the list; `only`, an array of as many truths, says which
+are asked. Questions may be asked from many threads at once. Raises Error naming the object that cannot be posed so.)");
+  bound
+      .def(
+          "__init__",
+          [](HeldIndex* place, const ObjectsLike& objects) {
+            const std::vector<SceneInstance> instances = instances_of(objects, "objects");
+            SceneIndex index = without_lock([&] { return SceneIndex(instances); });
+            new (place) HeldIndex{std::move(index)};
+          },
+          nb::arg("objects"))
+      .def("__len__", [](const HeldIndex& held) { return held.index.models().size(); })
+      .def_prop_ro("objects", &objects_of, nb::sig("def objects(self) -> list[SceneInstance]"))
+      .def("__repr__",
+           [](const HeldIndex& held) {
+             return fmt::format("<toccata.SceneIndex of {} objects>", held.index.models().size());
+           })
+      .def("__reduce__", [](const HeldIndex& held) {
+        return nb::make_tuple(nb::type<HeldIndex>(), nb::make_tuple(objects_of(held)));
+      });
+  ObjectQuestions<SceneObjects, HeldIndex>(bound).bind();
+}
+
+// check_all.
+
+constexpr double most_index = std::numeric_limits<Index>::max();
+
+std::vector<CheckedPair> pairs_of(const CheckAnswer& answer) {
+  std::vector<CheckedPair> pairs;
+  for (const PairAnswer& pair : answer.pairs) pairs.push_back({pair.a, pair.b, pair.relation});
+  return pairs;
+}
+
+/// What some of the pairs have, as rows: `value(pair)` leads to it, or to null.
+template <class Row, class Value>
+Answers rows_of_pairs(const CheckAnswer& answer, const Value& value) {
+  std::vector<Numbered<Row, OfPair>> rows;
+  for (std::size_t i = 0; i < answer.pairs.size(); ++i)
+    if (const std::optional<Row> row = value(answer.pairs[i])) rows.push_back({static_cast<Index>(i), *row});
+  return structured(std::move(rows));
+}
+
+Answers contacts_of(const CheckAnswer& answer) {
+  std::vector<std::vector<Contact>> lists;
+  for (const PairAnswer& pair : answer.pairs) lists.push_back(pair.contacts);
+  return structured(numbered<OfPair>(lists));
+}
+
+Answers regions_of(const CheckAnswer& answer) {
+  std::vector<std::vector<Region>> lists;
+  for (const PairAnswer& pair : answer.pairs) lists.push_back(flat(pair.regions));
+  return structured(numbered<OfPair>(lists));
+}
+
+CheckOptions options_of(const nb::object& clearance, const nb::object& pair_clearances) {
+  CheckOptions options;
+  if (!clearance.is_none()) options.clearance = numbers_for(clearance, 1, "clearance").front();
+  if (pair_clearances.is_none()) return options;
+  const Doubles rows = doubles(pair_clearances, "pair_clearances");
+  if (!rows.has_shape(1, {0}) && !rows.has_shape(2, {3}))
+    throw Error(fmt::format("pair_clearances: triples (a, b, length) are needed, and what is given has the shape {}",
+                            shape_text(rows.shape)));
+  for (std::size_t i = 0; i < rows.shape[0]; ++i) {
+    const double* row = rows.data + 3 * i;
+    for (int k = 0; k < 2; ++k)
+      if (!(row[k] >= 0) || row[k] > most_index || row[k] != std::floor(row[k]))
+        throw Error(fmt::format("pair_clearances: {} in row {} is no index", row[k], i));
+    options.pair_clearances.push_back({static_cast<Index>(row[0]), static_cast<Index>(row[1]), row[2]});
+  }
+  return options;
+}
+
+void bind_check(nb::module_& module) {
+  nb::enum_<DepthEnd>(module, "DepthEnd", nb::is_arithmetic(), "Why the search for a depth ended.")
+      .value("precise", DepthEnd::precise)
+      .value("exhausted", DepthEnd::exhausted)
+      .value("out_of_time", DepthEnd::out_of_time);
+  nb::class_<CheckAnswer>(module, "CheckAnswer", R"(What check_all found. Its length is the number of pairs.
+
+Everything is told in structured arrays; where one has a field pair, that counts the rows of pairs.)")
+      .def("__len__", [](const CheckAnswer& answer) { return answer.pairs.size(); })
+      .def_prop_ro(
+          "pairs", [](const CheckAnswer& answer) { return structured(pairs_of(answer)); },
+          "a, b and the members of Relation, ascending by (a, b): a new array.")
+      .def_prop_ro("contacts", &contacts_of, "pair and the fields of contacts.")
+      .def_prop_ro("regions", &regions_of, "pair and the fields of contact_regions, of two meshes, with penetration.")
+      .def_prop_ro(
+          "distances",
+          [](const CheckAnswer& answer) {
+            return rows_of_pairs<Distance>(answer, [](const PairAnswer& pair) { return pair.distance; });
+          },
+          "pair and the members of Distance, where a clearance was asked for.")
+      .def_prop_ro(
+          "penetrations",
+          [](const CheckAnswer& answer) {
+            return rows_of_pairs<CheckedDepth>(answer, [](const PairAnswer& pair) -> std::optional<CheckedDepth> {
+              if (!pair.penetration) return {};
+              return CheckedDepth{*pair.penetration, pair.depth_end};
+            });
+          },
+          "pair, the members of Penetration, and end (DepthEnd).")
+      .def_ro("candidate_pairs", &CheckAnswer::candidate_pairs, "How many pairs were looked at.")
+      .def("__repr__", [](const CheckAnswer& answer) {
+        return fmt::format("<toccata.CheckAnswer of {} pairs>", answer.pairs.size());
+      });
+  module.def(
+      "check_all",
+      [](const ObjectsLike& objects, bool contacts, bool penetration, const nb::object& clearance,
+         const nb::object& pair_clearances, double precision, int threads) {
+        const std::vector<SceneInstance> instances = instances_of(objects, "objects");
+        CheckOptions options = options_of(clearance, pair_clearances);
+        options.contacts = contacts;
+        options.penetration = penetration;
+        options.depth.precision = precision;
+        const Interruptible call(threads, false);
+        options.threads = threads;
+        options.progress = call.options().progress;
+        return call.ask([&](const BatchOptions&) { return check_all(instances, options); });
+      },
+      nb::arg("objects"), nb::kw_only(), nb::arg("contacts") = false, nb::arg("penetration") = false,
+      nb::arg("clearance") = nb::none(), nb::arg("pair_clearances") = nb::none(),
+      nb::arg("precision") = CheckOptions{}.depth.precision, nb::arg("threads") = all_threads,
+      nb::sig(
+          "def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, "
+          "clearance: float | None = None, pair_clearances: collections.abc.Sequence[tuple[int, int, float]] | None "
+          "= None, precision: float = 0.1, threads: int = 0) -> CheckAnswer"),
+      R"(Every two of many posed shapes that are not apart, or nearer than the clearance, and how they lie.
+
+The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
+(brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
+(a, b, length), says others for some. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
+naming the object that is asked about wrongly.)");
+  module.def(
+      "self_contacts_each",
+      [](const ObjectsLike& objects, int threads) {
+        const std::vector<SceneInstance> instances = instances_of(objects, "objects");
+        const Interruptible call(threads, false);
+        return structured(numbered<OfObject>(
+            call.ask([&](const BatchOptions& options) { return self_contacts_each(instances, options); })));
+      },
+      nb::arg("objects"), nb::kw_only(), nb::arg("threads") = all_threads,
+      "Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, "
+      "and "
+      "object, which says whose contact a row is.");
+}
+
+}  // namespace
+
+void bind_scenes(nb::module_& module) {
+  bind_instance(module);
+  bind_index(module);
+  bind_check(module);
+}
+
+}  // namespace toccata::python

@@ -1,0 +1,541 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <toccata/query/overlap.hpp>
+#include <toccata/world/world.hpp>
+#include <toccata/world/world_queries.hpp>
+
+#include "motions.hpp"
+#include "object_questions.hpp"
+
+namespace toccata::python {
+
+template <>
+struct Described<BodyId> {
+  static constexpr const char* name = "BodyId";
+  static constexpr const char* doc = "Names a body of a World for as long as it is there, and never another one.";
+  static constexpr std::tuple fields{field<BodyId, &BodyId::index>("index", "Dense; given out again."),
+                                     field<BodyId, &BodyId::generation>("generation", "From 1."),
+                                     field<BodyId, &BodyId::world>("world", "From 1; a copy has its original's.")};
+};
+
+template <class Answer>
+struct Described<BodyAnswer<Answer>> {
+  using Found = BodyAnswer<Answer>;
+  static constexpr auto letters = prefixed<Answer>("Body");
+  static constexpr const char* name = letters.data();
+  static constexpr const char* doc = Described<Answer>::doc;
+  static constexpr auto fields = std::tuple_cat(std::tuple{field<Found, &Found::body>("body", "Of which body.")},
+                                                fields_within<Found>(Described<Answer>::fields));
+};
+
+namespace {
+
+struct BodyRow {
+  Index query = 0;
+  BodyId body{};
+};
+
+/// Two bodies that are a pair.
+struct WorldPair {
+  BodyId a{}, b{};
+  bool in_contact = false;
+};
+
+}  // namespace
+
+template <>
+struct Described<BodyRow> {
+  static constexpr const char* name = "row";
+  static constexpr const char* doc = "";
+  static constexpr std::tuple fields{field<BodyRow, &BodyRow::query>("query", ""),
+                                     field<BodyRow, &BodyRow::body>("body", "")};
+};
+
+template <>
+struct Described<WorldPair> {
+  static constexpr const char* name = "WorldPair";
+  static constexpr const char* doc = "Two bodies that are in contact, or as near as their margins.";
+  static constexpr std::tuple fields{field<WorldPair, &WorldPair::a>("a", ""), field<WorldPair, &WorldPair::b>("b", ""),
+                                     field<WorldPair, &WorldPair::in_contact>("in_contact", "")};
+};
+
+namespace {
+
+/// A World as Python holds it: one thread uses it at a time, whatever threads of Python do, and nobody waits for it
+/// with the interpreter's lock.
+class HeldWorld {
+ public:
+  explicit HeldWorld(const WorldOptions& options) : world_(options) {}
+  explicit HeldWorld(World world) : world_(std::move(world)) {}
+
+  /// `use(world)`, without the interpreter's lock.
+  template <class Use>
+  auto with(const Use& use) const {
+    const nb::gil_scoped_release released;
+    const std::lock_guard guard(*mutex_);
+    return use(world_);
+  }
+
+  /// For ObjectQuestions, which has given the interpreter's lock away.
+  template <class Ask>
+  auto ask(const Ask& ask) const {
+    const std::lock_guard guard(*mutex_);
+    if (!queries_) queries_.emplace(world_);
+    queries_->update();
+    return ask(static_cast<const ObjectQueries<WorldBodies>&>(*queries_));
+  }
+
+ private:
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  mutable World world_;
+  mutable std::optional<WorldQueries> queries_{};
+};
+
+/// Stops at the first two that it finds.
+bool any_overlap(const ObjectQueries<WorldBodies>& queries) {
+  Workspace workspace;
+  const BoxBvh& boxes = queries.boxes();
+  bool found = false;
+  for (Index i = 0; i < boxes.size() && !found; ++i) {
+    if (is_empty(boxes.box(i))) continue;
+    const InstanceView a = queries.objects().at(i);
+    boxes.visit_overlapping(boxes.box(i), [&](Index j) {
+      if (j <= i) return true;
+      const InstanceView b = queries.objects().at(j);
+      found = overlap(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
+      return !found;
+    });
+  }
+  return found;
+}
+
+/// Which bodies are asked.
+struct AskedBodies {
+  std::uint64_t mask = ~std::uint64_t{0};
+  std::uint64_t group = 0;
+  std::vector<BodyId> except{};
+};
+
+/// What BodiesLike says.
+std::vector<BodyId> bodies_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<BodyId>(given)) return {nb::cast<BodyId>(given)};
+  std::vector<BodyId> ids;
+  if (is_list(given)) {
+    for (const nb::handle id : given) {
+      if (!nb::isinstance<BodyId>(id)) throw Error(fmt::format("{}: entry {} is no BodyId", what, ids.size()));
+      ids.push_back(nb::cast<BodyId>(id));
+    }
+    return ids;
+  }
+  if (!nb::ndarray_check(given) || !nb::hasattr(given, "dtype") || !given.attr("dtype").equal(dtype_of<BodyId>()))
+    throw Error(fmt::format("{}: a BodyId is needed, a list of them, or an array as add_each returns it", what));
+  const nb::object numpy = nb::module_::import_("numpy");
+  const nb::object flat = numpy.attr("ascontiguousarray")(given).attr("view")("u4").attr("reshape")(-1, 3);
+  const auto rows = nb::cast<nb::ndarray<const std::uint32_t, nb::ro, nb::c_contig, nb::device::cpu>>(flat);
+  for (std::size_t i = 0; i < rows.shape(0); ++i)
+    ids.push_back({rows.data()[3 * i], rows.data()[3 * i + 1], rows.data()[3 * i + 2]});
+  return ids;
+}
+
+}  // namespace
+
+template <>
+struct ObjectsTold<WorldBodies> {
+  static BodyFilter filter_of(const HeldWorld&, const nb::object& only) {
+    if (only.is_none()) return {};
+    if (!nb::isinstance<AskedBodies>(only)) throw Error("only: toccata.BodyFilter is needed, or None");
+    const AskedBodies& asked = nb::cast<const AskedBodies&>(only);
+    BodyFilter filter{asked.mask, asked.group, {}};
+    if (!asked.except.empty())
+      filter.accepts = [except = asked.except](BodyId id) { return std::ranges::find(except, id) == except.end(); };
+    return filter;
+  }
+  static Answers ids(std::vector<BodyId> found) { return structured(std::move(found)); }
+  static Answers rows(const std::vector<std::vector<BodyId>>& found) {
+    std::vector<BodyRow> rows;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (const BodyId body : found[i]) rows.push_back({static_cast<Index>(i), body});
+    return structured(std::move(rows));
+  }
+};
+
+namespace {
+
+/// Pairs of a step; what is told of them is shared with the World.
+struct HeldPairs {
+  std::vector<PairReport> reports;
+};
+
+/// What some of the pairs have, as rows: `value(details)` is an optional.
+template <class Row, class Value>
+Answers rows_of_details(const HeldPairs& pairs, const Value& value) {
+  std::vector<Numbered<Row, OfPair>> rows;
+  for (std::size_t i = 0; i < pairs.reports.size(); ++i) {
+    const auto& details = pairs.reports[i].details;
+    if (details == nullptr) continue;
+    if (const std::optional<Row> row = value(*details)) rows.push_back({static_cast<Index>(i), *row});
+  }
+  return structured(std::move(rows));
+}
+
+Answers contacts_of(const HeldPairs& pairs) {
+  std::vector<std::vector<Contact>> lists;
+  for (const PairReport& report : pairs.reports)
+    lists.push_back(report.details == nullptr ? std::vector<Contact>{} : report.details->contacts);
+  return structured(numbered<OfPair>(lists));
+}
+
+void bind_pairs(nb::module_& module) {
+  nb::class_<HeldPairs>(
+      module, "WorldPairs",
+      "Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array "
+      "has a field pair, that counts the rows of pairs.")
+      .def("__len__", [](const HeldPairs& pairs) { return pairs.reports.size(); })
+      .def_prop_ro(
+          "pairs",
+          [](const HeldPairs& pairs) {
+            std::vector<WorldPair> rows;
+            for (const PairReport& report : pairs.reports) rows.push_back({report.a, report.b, report.in_contact});
+            return structured(std::move(rows));
+          },
+          "A structured array: a, b (each with index, generation, world), in_contact.")
+      .def_prop_ro(
+          "relations",
+          [](const HeldPairs& pairs) {
+            return rows_of_details<Relation>(pairs, [](const PairDetails& d) { return d.relation; });
+          },
+          "pair and the members of Relation, if asked for.")
+      .def_prop_ro(
+          "distances",
+          [](const HeldPairs& pairs) {
+            return rows_of_details<Distance>(pairs, [](const PairDetails& d) { return d.distance; });
+          },
+          "pair and the members of Distance, if asked for.")
+      .def_prop_ro(
+          "penetrations",
+          [](const HeldPairs& pairs) {
+            return rows_of_details<Penetration>(pairs, [](const PairDetails& d) { return d.penetration; });
+          },
+          "pair and the members of Penetration, if asked for.")
+      .def_prop_ro(
+          "first_contacts",
+          [](const HeldPairs& pairs) {
+            return rows_of_details<ShapeHit>(pairs, [](const PairDetails& d) { return d.first_contact; });
+          },
+          "pair and the members of ShapeHit, of those that met on the way of a body (World.move_along).")
+      .def_prop_ro("contacts", &contacts_of, "pair and the fields of contacts, if asked for.")
+      .def(
+          "manifold",
+          [](const HeldPairs& pairs, std::size_t pair) -> std::optional<Manifold> {
+            if (pair >= pairs.reports.size())
+              throw Error(fmt::format("there are {} pairs, and none of number {}", pairs.reports.size(), pair));
+            const auto& details = pairs.reports[pair].details;
+            return details == nullptr ? std::nullopt : details->manifold;
+          },
+          nb::arg("pair"), "Its manifold, if asked for and defined.")
+      .def("__repr__",
+           [](const HeldPairs& pairs) { return fmt::format("<toccata.WorldPairs: {}>", pairs.reports.size()); });
+}
+
+/// What a step found, kept as it was.
+struct HeldStep {
+  HeldPairs begin, persist, end;
+  std::size_t candidates = 0, asked = 0;
+};
+
+HeldStep step_of(World& world) {
+  const WorldStep& step = world.step();
+  return {{step.begin}, {step.persist}, {step.end}, step.candidates, step.asked};
+}
+
+void bind_step(nb::module_& module) {
+  nb::class_<HeldStep>(module, "WorldStep", "What a step of a World found; it stays as it is.")
+      .def_ro("begin", &HeldStep::begin, "Pairs that were not there at the step before.")
+      .def_ro("persist", &HeldStep::persist, "Pairs that were there at both, told as they are now.")
+      .def_ro("end", &HeldStep::end, "Pairs that were there at the step before only, told as they were then.")
+      .def_ro("candidates", &HeldStep::candidates, "How many pairs had to be decided.")
+      .def_ro("asked", &HeldStep::asked, "How many of them could not be taken over from the step before.")
+      .def("__repr__", [](const HeldStep& step) {
+        return fmt::format("<toccata.WorldStep: {} begin, {} persist, {} end>", step.begin.reports.size(),
+                           step.persist.reports.size(), step.end.reports.size());
+      });
+}
+
+Body body_of(const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
+             std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
+  Body body{shape.model, pose_of(pose, "pose")};
+  body.type = type;
+  body.solid = solid;
+  body.group = group;
+  body.mask = mask;
+  body.margin = margin;
+  body.user_data = user_data;
+  body.name = name;
+  return body;
+}
+
+void bind_body(nb::module_& module) {
+  nb::enum_<BodyType>(module, "BodyType", "Which pairs of bodies are of interest.")
+      .value("static_body", BodyType::static_body, "Part of the surroundings: two such never make a pair.")
+      .value("kinematic_body", BodyType::kinematic_body, "Goes where its owner says, whatever it meets.")
+      .value("dynamic_body", BodyType::dynamic_body, "Reacts to what it meets.");
+  bind_answer<BodyId>(module);
+  nb::object hash = nb::cpp_function([](const BodyId& id) { return std::hash<BodyId>()(id); }, nb::is_method(),
+                                     nb::name("__hash__"), nb::sig("def __hash__(self) -> int"));
+  nb::type<BodyId>().attr("__hash__") = hash;
+  nb::class_<Body>(module, "Body", R"(A shape at its place in a World, and what is to be told of it.
+
+Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
+sum of their margins apart: lengths in the unit of the coordinates.)")
+      .def(
+          "__init__",
+          [](Body* place, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
+             std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
+            new (place) Body(body_of(shape, pose, type, solid, group, mask, margin, user_data, name));
+          },
+          nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("type") = BodyType::dynamic_body,
+          nb::arg("solid") = Solid::automatic, nb::arg("group") = 1, nb::arg("mask") = ~std::uint64_t{0},
+          nb::arg("margin") = 0.0, nb::arg("user_data") = 0, nb::arg("name") = "")
+      .def_prop_ro(
+          "shape", [](const Body& body) { return shape_object(body.model); }, nb::sig("def shape(self) -> Shape"))
+      .def_ro("pose", &Body::pose)
+      .def_ro("type", &Body::type)
+      .def_ro("solid", &Body::solid)
+      .def_ro("group", &Body::group)
+      .def_ro("mask", &Body::mask)
+      .def_ro("margin", &Body::margin)
+      .def_ro("user_data", &Body::user_data)
+      .def_ro("name", &Body::name)
+      .def("__repr__", [](const Body& body) {
+        return fmt::format("<toccata.Body: {}{}{}>", name_of(body.model.shape()), body.name.empty() ? "" : " ",
+                           body.name);
+      });
+  nb::class_<AskedBodies>(module, "BodyFilter", "Which bodies of a World are asked.")
+      .def(
+          "__init__",
+          [](AskedBodies* place, std::uint64_t mask, std::uint64_t group, const nb::object& except) {
+            new (place)
+                AskedBodies{mask, group, except.is_none() ? std::vector<BodyId>{} : bodies_of(except, "except_bodies")};
+          },
+          nb::kw_only(), nb::arg("mask") = ~std::uint64_t{0}, nb::arg("group") = 0,
+          nb::arg("except_bodies") = nb::none(),
+          nb::sig("def __init__(self, *, mask: int = 18446744073709551615, group: int = 0, except_bodies: "
+                  "toccata._typing.BodiesLike | None = None) -> None"),
+          "Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask "
+          "has "
+          "it; and none of except_bodies.");
+}
+
+std::vector<Pose> poses_for(const std::vector<BodyId>& ids, const PosesLike& poses) {
+  const Poses given = poses_of(poses, "poses");
+  if (given.single) return std::vector<Pose>(ids.size(), given.each.front());
+  return given.each;
+}
+
+using BoundWorld = nb::class_<HeldWorld>;
+
+void bind_bodies_of_world(BoundWorld& bound) {
+  bound
+      .def(
+          "add",
+          [](const HeldWorld& held, const Body& body) {
+            return held.with([&, copy = body](World& world) { return world.add(copy); });
+          },
+          nb::arg("body"))
+      .def(
+          "add",
+          [](const HeldWorld& held, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid,
+             std::uint64_t group, std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
+            const Body body = body_of(shape, pose, type, solid, group, mask, margin, user_data, name);
+            return held.with([&](World& world) { return world.add(body); });
+          },
+          nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("type") = BodyType::dynamic_body,
+          nb::arg("solid") = Solid::automatic, nb::arg("group") = 1, nb::arg("mask") = ~std::uint64_t{0},
+          nb::arg("margin") = 0.0, nb::arg("user_data") = 0, nb::arg("name") = "",
+          "The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no "
+          "length "
+          "and for a pose that its shape may not have.")
+      .def(
+          "add_each",
+          [](const HeldWorld& held, const ShapesLike& shapes, const PosesLike& poses, const ArrayLike& margins,
+             BodyType type, Solid solid, std::uint64_t group, std::uint64_t mask) {
+            const std::vector<SceneInstance> instances = instances_of(shapes, poses, solid);
+            const std::vector<double> margin = numbers_for(margins, instances.size(), "margins");
+            std::vector<Body> bodies;
+            for (std::size_t i = 0; i < instances.size(); ++i) {
+              Body body{instances[i].model, instances[i].pose, type, solid, group, mask, margin[i]};
+              bodies.push_back(std::move(body));
+            }
+            return structured(held.with([&](World& world) { return world.add(bodies); }));
+          },
+          nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::arg("margins") = 0.0, nb::kw_only(),
+          nb::arg("type") = BodyType::dynamic_body, nb::arg("solid") = Solid::automatic, nb::arg("group") = 1,
+          nb::arg("mask") = ~std::uint64_t{0},
+          "Adds one shape at many poses, or as many shapes; the array of their ids (index, generation, world), in "
+          "order.")
+      .def(
+          "remove",
+          [](const HeldWorld& held, const BodiesLike& bodies) {
+            const std::vector<BodyId> ids = bodies_of(bodies, "bodies");
+            held.with([&](World& world) { world.remove(ids); });
+          },
+          nb::arg("bodies"), "Removes bodies, with their rules. Raises Error naming an id that is of no body here.")
+      .def(
+          "move",
+          [](const HeldWorld& held, const BodiesLike& bodies, const PosesLike& poses) {
+            const std::vector<BodyId> ids = bodies_of(bodies, "bodies");
+            const std::vector<Pose> at = poses_for(ids, poses);
+            held.with([&](World& world) { world.move(ids, at); });
+          },
+          nb::arg("bodies"), nb::arg("poses"),
+          "Gives bodies other poses, however far: as many poses as bodies, or one. Raises Error as add does.")
+      .def(
+          "move_along",
+          [](const HeldWorld& held, const BodiesLike& bodies, const nb::object& motions) {
+            const std::vector<BodyId> ids = bodies_of(bodies, "bodies");
+            const std::vector<RigidMotion> ways = motions_of(motions, "motions");
+            held.with([&](World& world) { world.move_along(ids, ways); });
+          },
+          nb::arg("bodies"), nb::arg("motions"),
+          nb::sig("def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | "
+                  "collections.abc.Sequence[RigidMotion]) -> None"),
+          "Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the "
+          "way: "
+          "nothing tunnels.")
+      .def(
+          "replace",
+          [](const HeldWorld& held, const BodyId& id, const Body& body) {
+            held.with([&, copy = body](World& world) { world.replace(id, copy); });
+          },
+          nb::arg("id"), nb::arg("body"), "Makes a body into another one, all of it; its id and rules stay.")
+      .def(
+          "set_rule",
+          [](const HeldWorld& held, const BodyId& a, const BodyId& b, bool excluded, std::optional<double> margin) {
+            held.with([&](World& world) { world.set_rule({a, b, excluded, margin}); });
+          },
+          nb::arg("a"), nb::arg("b"), nb::kw_only(), nb::arg("excluded") = false, nb::arg("margin") = nb::none(),
+          "What is said about two bodies in particular: that they never make a pair, or another margin than the sum of "
+          "theirs. A rule that says nothing ends an earlier one.")
+      .def(
+          "exclude",
+          [](const HeldWorld& held, const BodiesLike& a, const BodiesLike& b) {
+            const std::vector<BodyId> of_a = bodies_of(a, "a"), of_b = bodies_of(b, "b");
+            if (of_a.size() != of_b.size())
+              throw Error(fmt::format("there are {} bodies a and {} bodies b; give as many", of_a.size(), of_b.size()));
+            std::vector<PairRule> rules;
+            for (std::size_t i = 0; i < of_a.size(); ++i) rules.push_back({of_a[i], of_b[i], true, {}});
+            held.with([&](World& world) { world.set_rules(rules); });
+          },
+          nb::arg("a"), nb::arg("b"), "Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays.");
+}
+
+void bind_state_of_world(BoundWorld& bound) {
+  bound
+      .def(
+          "step", [](const HeldWorld& held) { return held.with(&step_of); },
+          "Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.")
+      .def(
+          "any_overlap", [](const HeldWorld& held) { return without_lock([&] { return held.ask(&any_overlap); }); },
+          "Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and "
+          "rules. Exact; needs no step, and stops at the first two that it finds.")
+      .def_prop_ro(
+          "pairs",
+          [](const HeldWorld& held) {
+            return held.with([](const World& world) {
+              const auto pairs = world.pairs();
+              return HeldPairs{{pairs.begin(), pairs.end()}};
+            });
+          },
+          "All pairs of the last step.")
+      .def("__len__", [](const HeldWorld& held) { return held.with([](const World& w) { return w.size(); }); })
+      .def_prop_ro(
+          "bodies",
+          [](const HeldWorld& held) { return structured(held.with([](const World& w) { return w.bodies(); })); },
+          "The ids of all, ascending: a structured array.")
+      .def(
+          "__contains__",
+          [](const HeldWorld& held, const nb::object& id) {
+            if (!nb::isinstance<BodyId>(id)) return false;
+            const BodyId asked = nb::cast<BodyId>(id);
+            return held.with([&](const World& world) { return world.contains(asked); });
+          },
+          nb::sig("def __contains__(self, id: object, /) -> bool"))
+      .def(
+          "__getitem__",
+          [](const HeldWorld& held, const BodyId& id) {
+            return held.with([&](const World& world) { return world.body(id); });
+          },
+          nb::arg("id"), "The body as it is now.")
+      .def_prop_ro(
+          "boxes",
+          [](const HeldWorld& held) {
+            static_assert(sizeof(Aabb) == 6 * sizeof(double));
+            std::vector<Aabb> boxes = held.with([](const World& world) {
+              const auto all = world.boxes();
+              return std::vector<Aabb>(all.begin(), all.end());
+            });
+            return nb::borrow<Floats>(array_over<double>(std::move(boxes), {2, 3}));
+          },
+          "By index, the boxes around all bodies without their margins, shape (N, 2, 3): a new array. Where no body "
+          "has "
+          "that index, the lower corner is +inf and the upper one -inf.")
+      .def(
+          "__copy__",
+          [](const HeldWorld& held) { return HeldWorld(held.with([](const World& world) { return World(world); })); },
+          "A snapshot: the same bodies, ids and pairs.")
+      .def(
+          "__deepcopy__",
+          [](const HeldWorld& held, const nb::dict&) {
+            return HeldWorld(held.with([](const World& world) { return World(world); }));
+          },
+          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> World"))
+      .def("__repr__", [](const HeldWorld& held) {
+        return fmt::format("<toccata.World of {} bodies>", held.with([](const World& w) { return w.size(); }));
+      });
+}
+
+}  // namespace
+
+void bind_worlds(nb::module_& module) {
+  bind_body(module);
+  bind_pairs(module);
+  bind_step(module);
+  bind_object_answers<WorldBodies>(module);
+  BoundWorld bound(module, "World",
+                   R"(Bodies that move, and the pairs of them that are in contact or near, step by step.
+
+The options say what is told of every pair, besides that it is one; each costs what the question of that name costs.
+kinematic_pairs: whether two kinematic bodies, and a kinematic and a static one, make pairs. space_time: pairs that cannot
+meet for some steps are not looked at in these. Which pairs is exact, and the same on any number of threads. Questions
+about the bodies where they are now need no step; `only` is a BodyFilter. A World may be used from many threads, one after the
+other.)");
+  bound.def(
+      "__init__",
+      [](HeldWorld* place, bool relation, bool distance, bool contacts, bool manifold, bool penetration,
+         bool kinematic_pairs, bool space_time, const std::string& broad_phase, int threads) {
+        WorldOptions options{relation, distance, contacts, manifold, penetration, kinematic_pairs, space_time};
+        options.broad_phase = broad_phase_method(broad_phase);
+        options.threads = threads;
+        new (place) HeldWorld(options);
+      },
+      nb::kw_only(), nb::arg("relation") = false, nb::arg("distance") = false, nb::arg("contacts") = false,
+      nb::arg("manifold") = false, nb::arg("penetration") = false, nb::arg("kinematic_pairs") = true,
+      nb::arg("space_time") = false, nb::arg("broad_phase") = "auto", nb::arg("threads") = own_thread);
+  bind_bodies_of_world(bound);
+  bind_state_of_world(bound);
+  ObjectQuestions<WorldBodies, HeldWorld>(bound).bind();
+}
+
+}  // namespace toccata::python

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# test_python_sanitized.sh FOLDER PYTHON: the tests of the Python package with its compiled part under the address and
+# undefined-behaviour sanitizers, as it lies in FOLDER. What Python itself never frees is no leak of ours.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+folder=$(cd "$1" && pwd)
+site=$(mktemp -d)
+trap 'rm -rf -- "$site"' EXIT
+cp -r "$root/python/toccata" "$site/toccata"
+rm -f "$site"/toccata/_core*.so
+cp "$folder"/_core*.so "$site/toccata/"
+runtime=$(g++ -print-file-name=libasan.so):$(g++ -print-file-name=libubsan.so):$(g++ -print-file-name=libstdc++.so.6)
+# Not those that measure memory or times, start other programs, or ask for stubs.
+env LD_PRELOAD="$runtime" PYTHONPATH="$site" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 PYTHONMALLOC=malloc \
+  "$2" -m pytest -q -p no:cacheprovider "$root/python/tests" \
+  --ignore="$root/python/tests/test_memory.py" --ignore="$root/python/tests/test_drop_ins.py" --ignore="$root/python/tests/test_types.py" \
+  --deselect="$root/python/tests/test_threads.py::test_import_is_quick" "${@:3}"
