@@ -68,6 +68,7 @@ struct RaysArguments {
   std::vector<std::string> peers;
   std::size_t count = 100000;
   std::uint64_t seed = 1;
+  bool camera = false;  ///< neighbours in the array go side by side
   int rounds = 3;
   bool verify = false;
   bool json = false;

@@ -18,21 +18,48 @@ namespace {
 
 constexpr std::size_t ray_block = 1000;
 
+/// What rays are sent through.
+struct RayAim {
+  explicit RayAim(const TriangleMesh& mesh) : box(fit_aabb(mesh.vertices())) {
+    if (!(reach() > 0) || !std::isfinite(reach()))
+      throw Error(
+          "--mesh: rays are sent through the box of the mesh, and its diagonal is 0 or overflows; name another");
+  }
+  [[nodiscard]] Vec3 centre() const { return 0.5 * (box.lower + box.upper); }
+  [[nodiscard]] double reach() const {
+    const Vec3 size = box.upper - box.lower;
+    return std::sqrt(dot(size, size));
+  }
+  Aabb box;
+};
+
+RayQuestion ray_through(const Vec3& origin, const Vec3& through) {
+  return {as_floats(origin), as_floats(3.0 * (through - as_floats(origin)))};
+}
+
 /// From a sphere of twice the size of the mesh's box, through a point of the box and beyond.
-std::vector<RayQuestion> rays_at(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
-  const Aabb box = fit_aabb(mesh.vertices());
-  const Vec3 centre = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
-  const double reach = std::sqrt(dot(size, size));
-  if (!(reach > 0) || !std::isfinite(reach))
-    throw Error("--mesh: rays are sent through the box of the mesh, and its diagonal is 0 or overflows; name another");
+std::vector<RayQuestion> rays_at(const RayAim& aim, std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<RayQuestion> rays;
   while (rays.size() < count) {
-    const Vec3 origin = as_floats(centre + reach * random_direction(random));
+    const Vec3 origin = aim.centre() + aim.reach() * random_direction(random);
     Vec3 through;
-    for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(box.lower[axis], box.upper[axis]);
-    rays.push_back({origin, as_floats(3.0 * (through - origin))});
+    for (int axis = 0; axis < 3; ++axis) through[axis] = random.between(aim.box.lower[axis], aim.box.upper[axis]);
+    rays.push_back(ray_through(origin, through));
   }
+  return rays;
+}
+
+/// From a point at twice the distance, through a grid across the middle of the box, row by row; about as many.
+std::vector<RayQuestion> rays_of_camera(const RayAim& aim, std::size_t count) {
+  const auto side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const Vec3 eye = aim.centre() + aim.reach() * Vec3{2, 0.3, 0.2}, size = aim.box.upper - aim.box.lower;
+  std::vector<RayQuestion> rays;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const double y = (column + 0.5) / side - 0.5, z = (row + 0.5) / side - 0.5;
+      rays.push_back(ray_through(eye, aim.centre() + Vec3{0, y * size.y, z * size.z}));
+    }
   return rays;
 }
 
@@ -102,7 +129,9 @@ int run_rays(const RaysArguments& arguments) {
     for (auto& library : peer == "embree" ? embree_ray_libraries() : RayLibraries{})
       libraries.push_back(std::move(library));
   const TriangleMesh mesh = of_floats(*single_mesh(arguments.mesh));
-  const std::vector<RayQuestion> rays = rays_at(mesh, arguments.count, arguments.seed);
+  const RayAim aim(mesh);
+  const std::vector<RayQuestion> rays =
+      arguments.camera ? rays_of_camera(aim, arguments.count) : rays_at(aim, arguments.count, arguments.seed);
   std::vector<MeasuredRays> all;
   for (auto& library : libraries) {
     all.push_back(measured(*library, mesh, rays, arguments.rounds));
@@ -115,6 +144,7 @@ int run_rays(const RaysArguments& arguments) {
   auto report = report_of("rays", {{"mesh", arguments.mesh},
                                    {"triangles", mesh.triangle_count()},
                                    {"seed", arguments.seed},
+                                   {"camera", arguments.camera},
                                    {"block", ray_block},
                                    {"rounds", arguments.rounds},
                                    {"hits", hits}});

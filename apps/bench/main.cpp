@@ -184,6 +184,8 @@ void add_rays(CLI::App& app, RaysArguments& arguments) {
   CLI::App* rays = app.add_subcommand("rays", "where rays first meet a mesh, taken as a surface");
   add_mesh_file(*rays, "--mesh", arguments.mesh)->required();
   add_number(*rays, "--count", arguments.count, "rays");
+  rays->add_flag("--camera", arguments.camera,
+                 "rays of one eye through a grid, row by row, instead of random ones: neighbours meet neighbours");
   add_peers(*rays, arguments.peers, {"embree"});
   add_common(*rays, arguments);
   rays->footer("Example:\n  ./toccata bench rays --mesh gen:torus-knot --peer embree");

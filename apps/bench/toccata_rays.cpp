@@ -6,6 +6,7 @@
 #include "rays.hpp"
 #include "toccata/core/version.hpp"
 #include "toccata/query/batch.hpp"
+#include "toccata/query/ray_caster.hpp"
 
 namespace toccata::bench {
 namespace {
@@ -54,12 +55,31 @@ class SingleRays : public ToccataRays {
   }
 };
 
+class PosedRays : public ToccataRays {
+ public:
+  using ToccataRays::ToccataRays;
+  void prepare(const TriangleMesh& mesh, std::span<const RayQuestion> questions) override {
+    ToccataRays::prepare(mesh, questions);
+    caster_.emplace(*model_, Pose{}, Solid::none);
+  }
+  void answer(std::size_t first, std::span<RayAnswer> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const RayQuery& query = queries_[first + i];
+      answers[i] = ray_answer_of(caster_->cast_ray(query.origin, query.motion));
+    }
+  }
+
+ private:
+  std::optional<RayCaster> caster_;
+};
+
 }  // namespace
 
 RayLibraries toccata_ray_libraries() {
   RayLibraries libraries;
   libraries.push_back(std::make_unique<ArraysOfRays>("arrays of rays"));
   libraries.push_back(std::make_unique<SingleRays>("one ray, posed for each"));
+  libraries.push_back(std::make_unique<PosedRays>("one ray, posed before"));
   return libraries;
 }
 

@@ -36,6 +36,7 @@
 #include "toccata/query/pair_query.hpp"
 #include "toccata/query/pairs.hpp"
 #include "toccata/query/penetration.hpp"
+#include "toccata/query/ray_caster.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/query/scene_index.hpp"
 #include "toccata/query/self_contacts.hpp"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "query/manifolds/vertex_fans.hpp"
+#include "query/nearest/way_into_tree.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "toccata/trees/builders.hpp"
@@ -185,7 +186,9 @@ std::span<const WindingMoments> Model::winding_moments() const {
 const LeafTriangles& Model::leaf_triangles() const {
   const TriangleMesh& triangles = mesh();
   std::call_once(parts_->leaves_made, [&] {
-    parts_->leaf_triangles = toccata::leaf_triangles(parts_->wide_bvh, triangles);
+    const WideBvh& wide = parts_->wide_bvh;
+    parts_->leaf_triangles = toccata::leaf_triangles(wide, triangles);
+    parts_->leaf_triangles.at_identity = ray_frame(wide, WayIntoTree(wide), {});
     parts_->tell_made(ModelPart::leaf_triangles);
   });
   return parts_->leaf_triangles;
@@ -194,8 +197,8 @@ const LeafTriangles& Model::leaf_triangles() const {
 const LeafTriangles* Model::leaf_triangles_for(std::size_t questions) const {
   // Making them takes as long per triangle as they save in about a tenth of a question.
   constexpr std::size_t triangles_per_question = 16;
+  if (parts_ && parts_->has(ModelPart::leaf_triangles)) return &parts_->leaf_triangles;
   const std::size_t triangles = mesh().triangle_count();
-  if (parts_->has(ModelPart::leaf_triangles)) return &parts_->leaf_triangles;
   const std::size_t asked = parts_->questions_at_leaves.fetch_add(questions, std::memory_order_relaxed) + questions;
   return asked >= triangles / triangles_per_question ? &leaf_triangles() : nullptr;
 }

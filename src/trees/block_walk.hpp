@@ -36,6 +36,7 @@ enum class ChildOrder {
 ///  - meet(block, first, when): of the lanes of a vector, from `first` on, which are of interest, as bits; `when` gets
 ///    their turns, none of them negative: the least comes first;
 ///  - wants(when): what has that turn is still of interest;
+///  - opens(when), if it is there: that turn has come; the root's is not told;
 ///  - prefetch(number): asks for the memory of a block's items;
 ///  - see(number, lanes, when): looks at the items in these lanes of a block.
 template <class S>
@@ -91,6 +92,10 @@ class BlockWalk {
   static constexpr ChildOrder order = Search::child_order;
   static constexpr bool asks_for_next = order == ChildOrder::nearest_of_many;
 
+  HWY_INLINE void tell_opened(float when) {
+    if constexpr (requires { search_.opens(when); }) search_.opens(when);
+  }
+
   HWY_INLINE void ask_for(std::int32_t block) const {
     prefetch(blocks_[block]);
     if (asks_for_next) search_.prefetch(static_cast<std::size_t>(block));
@@ -137,6 +142,7 @@ class BlockWalk {
     const bool other_first = when_[other] < when_[one];
     const std::size_t near = other_first ? other : one, far = other_first ? one : other;
     block_ = block.child[near];
+    tell_opened(when_[near]);
     if (!asks_for_next) ask_for(block_);
     if (near == far) return;
     if (!asks_for_next) ask_for(block.child[far]);
@@ -188,7 +194,9 @@ class BlockWalk {
     while (!pending_.empty()) {
       const Pending one = pending_.pop();
       block_ = one.block;
-      if (search_.wants(one.when)) return true;
+      if (!search_.wants(one.when)) continue;
+      tell_opened(one.when);
+      return true;
     }
     return false;
   }

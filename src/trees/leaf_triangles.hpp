@@ -6,6 +6,7 @@
 
 #include "toccata/shapes/triangle_mesh.hpp"
 #include "toccata/trees/wide_bvh.hpp"
+#include "trees/ray_frame.hpp"
 
 namespace toccata {
 
@@ -24,6 +25,9 @@ struct LeafTriangles {
   /// By how much a coordinate differs at most from the vertex's exact one, in the tree's units: half of the last place
   /// of floats up to 1 (or 2, where the tree is larger than 2¹⁰²³), and what doubles round on the way.
   float off = 0;
+
+  /// How rays come to them where the mesh is at the identity; of those that a model holds.
+  RayFrame at_identity;
 };
 
 [[nodiscard]] LeafTriangles leaf_triangles(const WideBvh& tree, const TriangleMesh& mesh);

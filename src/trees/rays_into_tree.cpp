@@ -11,8 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
-#include "math/lanes.hpp"
+#include "narrow/triangles/one_lane.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
@@ -20,14 +21,116 @@ namespace {
 
 // Products may be fused here.
 
-HWY_INLINE Number greatest_coordinate_of(const Vector& v) {
-  return hn::Max(hn::Max(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
+template <class T>
+HWY_INLINE LaneVector<T> product(const Mat3& m, const LaneVector<T>& v) {
+  const auto row_times = [&](const Vec3& row) HWY_ATTR {
+    return hn::MulAdd(hn::Set(T(), row.x), v.x,
+                      hn::MulAdd(hn::Set(T(), row.y), v.y, hn::Mul(hn::Set(T(), row.z), v.z)));
+  };
+  return {row_times(m[0]), row_times(m[1]), row_times(m[2])};
 }
-HWY_INLINE Number row_times(const Vec3& row, const Vector& v) {
-  return hn::MulAdd(all(row.x), v.x, hn::MulAdd(all(row.y), v.y, hn::Mul(all(row.z), v.z)));
+#if HWY_TARGET <= HWY_AVX2
+HWY_INLINE OneVector product(const Mat3& m, const OneVector& v) {
+  const auto column = [&](int i) HWY_ATTR { return in_one(m[0][i], m[1][i], m[2][i]); };
+  const auto fused = [](const auto& s, const auto& c, const auto& sum) HWY_ATTR { return hn::MulAdd(s, c, sum); };
+  return each(fused, in_each(v, x_of(v)), column(0),
+              each(fused, in_each(v, y_of(v)), column(1), times(z_of(v), column(2))));
 }
-HWY_INLINE Vector product(const Mat3& m, const Vector& v) {
-  return {row_times(m[0], v), row_times(m[1], v), row_times(m[2], v)};
+#endif
+
+/// The part of the way within a box.
+template <class V>
+struct PartOfWay {
+  NumberOf<V> from, to;
+};
+
+template <class V>
+HWY_INLINE PartOfWay<V> part_within(const Aabb& box, const NumberOf<V>& around, const V& origin, const V& motion) {
+  using N = NumberOf<V>;
+  // What moves less far than `least` is told by where it is; `around` allows for it.
+  constexpr double slack = 0x1p-50, least = 0x1p-900;
+  const V near = in_each(origin, around);
+  const V low = minus(minus(in_lanes_of(origin, box.lower), near), origin);
+  const V high = minus(plus(in_lanes_of(origin, box.upper), near), origin);
+  // Less, where rounding may have made it too much along one axis. A ray that stands still along the axis, or nearly
+  // so, is within for ever, or never.
+  const V from = each(
+      [](const auto& l, const auto& h, const auto& m) HWY_ATTR {
+        using C = std::remove_cvref_t<decltype(m)>;
+        const C inverse = hn::Div(all<C>(1), m), zero = hn::Zero(TagOf<C>());
+        const C enter = hn::Min(hn::Mul(l, inverse), hn::Mul(h, inverse));
+        const C never = hn::IfThenElseZero(hn::Or(hn::Gt(l, zero), hn::Lt(h, zero)), all<C>(2));
+        return hn::IfThenElse(hn::Lt(hn::Abs(m), all<C>(least)), never,
+                              hn::Sub(enter, hn::Mul(all<C>(slack), hn::Abs(enter))));
+      },
+      low, high, motion);
+  const V to = each(
+      [](const auto& l, const auto& h, const auto& m) HWY_ATTR {
+        using C = std::remove_cvref_t<decltype(m)>;
+        const C inverse = hn::Div(all<C>(1), m);
+        const C leave = hn::Max(hn::Mul(l, inverse), hn::Mul(h, inverse));
+        return hn::IfThenElse(hn::Lt(hn::Abs(m), all<C>(least)), all<C>(1),
+                              hn::Add(leave, hn::Mul(all<C>(slack), hn::Abs(leave))));
+      },
+      low, high, motion);
+  return {hn::Max(hn::Max(x_of(from), y_of(from)), hn::Max(z_of(from), all<N>(0))),
+          hn::Min(hn::Min(x_of(to), y_of(to)), hn::Min(z_of(to), all<N>(1)))};
+}
+
+/// RayInTree, of each.
+template <class V>
+struct Brought {
+  V origin, motion;
+  NumberOf<V> pad, lean, late, from, to;
+  MaskOf<V> known;
+};
+
+template <class V>
+HWY_INLINE Brought<V> brought(const RayFrame& frame, const V& from, const V& along, const NumberOf<V>& largest) {
+  using N = NumberOf<V>;
+  constexpr double longest = 0x1p46, most_off = 1, most_off_for_triangles = 0x1p-5;
+  const V motion = product(frame.back, along);
+  const V apart = minus(from, in_lanes_of(from, frame.offset));
+  const V origin = minus(product(frame.back, apart), in_lanes_of(from, frame.origin));
+  const N size = hn::Add(greatest_of(from), largest), speed = greatest_of(motion);
+  const N off = hn::MulAdd(all<N>(frame.off_by_size), size, all<N>(frame.off));
+  const PartOfWay<V> part = part_within(frame.box, hn::Add(off, all<N>(0x1p-40)), origin, motion);
+
+  const N length = hn::Sub(part.to, part.from), far = all<N>(HUGE_VAL);
+  const auto near = hn::Lt(off, all<N>(frame.has_units ? most_off_for_triangles : -1));
+  const N lean = hn::Div(hn::Mul(all<N>(frame.off_by_size * (1 + 0x1p-20)), largest), speed);
+  Brought<V> result;
+  result.known =
+      hn::And(hn::And(hn::Lt(speed, all<N>(longest)), hn::Lt(off, all<N>(most_off))), hn::Lt(greatest_of(apart), far));
+  result.from = part.from;
+  result.to = part.to;
+  result.origin = plus(origin, times(part.from, motion));
+  result.motion = times(length, motion);
+  // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
+  result.pad = hn::Add(hn::Add(off, all<N>(0x1p-20)), hn::Mul(all<N>(0x1p-50), hn::Add(greatest_of(origin), speed)));
+  result.lean = hn::IfThenElse(near, hn::Add(lean, all<N>(0x1p-40)), far);
+  // As wide as a time may be told to be.
+  result.late = hn::IfThenElse(hn::Gt(length, all<N>(0x1p-60)), hn::Div(all<N>(0x1p-40), length), far);
+  return result;
+}
+
+HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
+HWY_INLINE float float_of(const OneNumber& value) { return static_cast<float>(hn::GetLane(value)); }
+
+RayInTree run_ray_into_tree(const RayFrame& frame, const PreparedRay& ray) {
+  // Number by number: they were mostly written just now, and a load of several at once would wait for that.
+  const auto fresh = [](const Vec3& v) HWY_ATTR { return in_one(v.x, v.y, v.z); };
+  const auto found = brought(frame, fresh(ray.origin), fresh(ray.motion), all<OneNumber>(ray.largest));
+  RayInTree one;
+  one.ray.origin = {float_of(x_of(found.origin)), float_of(y_of(found.origin)), float_of(z_of(found.origin))};
+  one.ray.motion = {float_of(x_of(found.motion)), float_of(y_of(found.motion)), float_of(z_of(found.motion))};
+  one.ray.pad = float_of(found.pad);
+  one.ray.lean = float_of(found.lean);
+  one.ray.late = float_of(found.late);
+  one.from = first_of(found.from);
+  one.to = first_of(found.to);
+  one.known = hn::AllTrue(OneTag(), found.known);
+  return one;
 }
 
 /// A few rays, number by number.
@@ -45,28 +148,6 @@ HWY_INLINE Vector load(const std::array<LaneDoubles, 3>& rows) {
   return {hn::Load(tag, rows[0].data()), hn::Load(tag, rows[1].data()), hn::Load(tag, rows[2].data())};
 }
 
-struct PartOfWay {
-  Number from, to;
-};
-
-/// Less, where rounding may have made it too much along one axis.
-HWY_INLINE void cut(PartOfWay& part, double lower, double upper, const Number& around, const Number& origin,
-                    const Number& motion) {
-  // What moves less far than `least` is told by where it is; `around` allows for it.
-  constexpr double slack = 0x1p-50, least = 0x1p-900;
-  const Number zero = hn::Zero(tag);
-  const Number low = hn::Sub(hn::Sub(all(lower), around), origin), high = hn::Sub(hn::Add(all(upper), around), origin);
-  const Number inverse = hn::Div(all(1), motion), s = hn::Mul(low, inverse), t = hn::Mul(high, inverse);
-  const Number enter = hn::Min(s, t), leave = hn::Max(s, t);
-  // A ray that stands still along the axis, or nearly so, is within for ever, or never.
-  const auto still = hn::Lt(hn::Abs(motion), all(least));
-  const Number never = hn::IfThenElseZero(hn::Or(hn::Gt(low, zero), hn::Lt(high, zero)), all(2));
-  const Number from = hn::Sub(enter, hn::Mul(all(slack), hn::Abs(enter)));
-  const Number to = hn::Add(leave, hn::Mul(all(slack), hn::Abs(leave)));
-  part.from = hn::Max(hn::IfThenElse(still, never, from), part.from);
-  part.to = hn::Min(hn::IfThenElse(still, all(1), to), part.to);
-}
-
 HWY_INLINE void store(const Vector& v, std::array<LaneDoubles, 3>& rows) {
   hn::Store(v.x, tag, rows[0].data());
   hn::Store(v.y, tag, rows[1].data());
@@ -75,41 +156,16 @@ HWY_INLINE void store(const Vector& v, std::array<LaneDoubles, 3>& rows) {
 
 /// As many rays as there are lanes.
 void bring(const RayFrame& frame, const RayRows& rows, ResultRows& result) {
-  constexpr double longest = 0x1p46, most_off = 1, most_off_for_triangles = 0x1p-5;
-  const Vector from = load(rows.origin), along = load(rows.motion);
-  const Number largest = hn::Load(tag, rows.largest.data());
-  const Vector motion = product(frame.back, along);
-  const Vector apart = minus(from, in_all(frame.offset));
-  const Vector origin = minus(product(frame.back, apart), in_all(frame.origin));
-  const Number size = hn::Add(greatest_coordinate_of(from), largest), speed = greatest_coordinate_of(motion);
-  const Number off = hn::MulAdd(all(frame.off_by_size), size, all(frame.off));
-
-  PartOfWay part{hn::Zero(tag), all(1)};
-  const Number around = hn::Add(off, all(0x1p-40));
-  cut(part, frame.box.lower.x, frame.box.upper.x, around, origin.x, motion.x);
-  cut(part, frame.box.lower.y, frame.box.upper.y, around, origin.y, motion.y);
-  cut(part, frame.box.lower.z, frame.box.upper.z, around, origin.z, motion.z);
-
-  const Number length = hn::Sub(part.to, part.from), far = all(HUGE_VAL);
-  const auto known = hn::And(hn::And(hn::Lt(speed, all(longest)), hn::Lt(off, all(most_off))),
-                             hn::Lt(greatest_coordinate_of(apart), far));
-  const auto near = hn::Lt(off, all(frame.has_units ? most_off_for_triangles : -1));
-  const Number lean = hn::Div(hn::Mul(all(frame.off_by_size * (1 + 0x1p-20)), largest), speed);
-  // As wide as a time may be told to be.
-  const Number late = hn::IfThenElse(hn::Gt(length, all(0x1p-60)), hn::Div(all(0x1p-40), length), far);
-  // Floats, and the doubles here, round less than 2^-20 of what is at most 8, and 2^-50 of what cancels.
-  const Number pad =
-      hn::Add(hn::Add(off, all(0x1p-20)), hn::Mul(all(0x1p-50), hn::Add(greatest_coordinate_of(origin), speed)));
-  store({hn::MulAdd(part.from, motion.x, origin.x), hn::MulAdd(part.from, motion.y, origin.y),
-         hn::MulAdd(part.from, motion.z, origin.z)},
-        result.origin);
-  store({hn::Mul(length, motion.x), hn::Mul(length, motion.y), hn::Mul(length, motion.z)}, result.motion);
-  hn::Store(pad, tag, result.pad.data());
-  hn::Store(hn::IfThenElse(near, hn::Add(lean, all(0x1p-40)), far), tag, result.lean.data());
-  hn::Store(late, tag, result.late.data());
-  hn::Store(part.from, tag, result.from.data());
-  hn::Store(part.to, tag, result.to.data());
-  hn::Store(hn::IfThenElseZero(known, all(1)), tag, result.known.data());
+  const Brought<Vector> found =
+      brought(frame, load(rows.origin), load(rows.motion), hn::Load(tag, rows.largest.data()));
+  store(found.origin, result.origin);
+  store(found.motion, result.motion);
+  hn::Store(found.pad, tag, result.pad.data());
+  hn::Store(found.lean, tag, result.lean.data());
+  hn::Store(found.late, tag, result.late.data());
+  hn::Store(found.from, tag, result.from.data());
+  hn::Store(found.to, tag, result.to.data());
+  hn::Store(hn::IfThenElseZero(found.known, all(1)), tag, result.known.data());
 }
 
 void put(const PreparedRay& ray, RayRows& rows, std::size_t lane) {
@@ -154,9 +210,14 @@ HWY_AFTER_NAMESPACE();
 namespace toccata {
 namespace {
 
+HWY_EXPORT(run_ray_into_tree);
 HWY_EXPORT(run_rays_into_tree);
 
 }  // namespace
+
+RayInTree ray_into_tree(const RayFrame& frame, const PreparedRay& ray) {
+  return HWY_DYNAMIC_DISPATCH(run_ray_into_tree)(frame, ray);
+}
 
 void rays_into_tree(const RayFrame& frame, std::span<const PreparedRay> rays, std::span<RayInTree> result) {
   HWY_DYNAMIC_DISPATCH(run_rays_into_tree)(frame, rays, result);

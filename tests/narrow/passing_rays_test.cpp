@@ -48,7 +48,10 @@ TEST(PassingRays, AreToldToTheLastBitAsOneByOneAtEverySimdLevel) {
     hits_of_passing(passing, hits);
     std::size_t told = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
+      const PassingHit alone = hit_of_passing(passing[i]);
+      ASSERT_EQ(alone.told, hits[i].told) << i << " " << name_of(level);
       if (!hits[i].told) continue;
+      ASSERT_EQ(alone.cast, hits[i].cast) << i << " " << name_of(level);
       const RayTime time = ray_time_of_passing(cases.rays[i], cases.triangles[i]);
       ASSERT_TRUE(time.hit) << i << " " << name_of(level);
       ASSERT_EQ(hits[i].cast, ray_hit(cases.rays[i], cases.triangles[i], time)) << i << " " << name_of(level);

@@ -4,12 +4,14 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "query/nearest/way_into_tree.hpp"
+#include "query/nearest_checks.hpp"
 #include "query/ray_checks.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/query/batch.hpp"
+#include "toccata/query/ray_caster.hpp"
 #include "toccata/shapes/height_field.hpp"
 
 namespace toccata {
@@ -157,6 +159,80 @@ TEST(Ray, TheWayIntoATreeAtTheIdentityIsThatOfThePose) {
     EXPECT_EQ(standing.off_at_origin(), posed.off_at_origin());
     EXPECT_EQ(standing.off_by_size(), posed.off_by_size());
   }
+}
+
+/// From an eye through the points of a grid, row by row, and through corners, middles of edges and of faces in their
+/// order: neighbours in the array meet neighbours.
+std::vector<RayQuery> rays_of_a_camera(const Model& model, const Pose& pose) {
+  const Vec3 eye = pose.offset + Vec3{4, 0.25, 0.5};
+  std::vector<RayQuery> rays;
+  const auto add = [&](const Vec3& through) { rays.push_back({eye, 1.5 * (through - eye), pose, Solid::none}); };
+  constexpr int side = 48;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column)
+      add(pose.offset + Vec3{0, 3.0 * column / side - 1.5, 3.0 * row / side - 1.5});
+  for (const auto& corner : model.mesh().triangles()) {
+    const Vec3 a = transform(pose, model.mesh().vertices()[corner[0]]),
+               b = transform(pose, model.mesh().vertices()[corner[1]]),
+               c = transform(pose, model.mesh().vertices()[corner[2]]);
+    for (const Vec3& through : {a, 0.5 * (a + b), (1.0 / 3) * (a + b + c)}) add(through);
+  }
+  return rays;
+}
+
+TEST(Ray, OfManyThatStayTogetherIsThatOfEachAlone) {
+  const Model knot(generate_mesh("torus-knot"));
+  test::at_every_simd_level([&](SimdLevel level) {
+    for (const Model& model : {icosphere, knot})
+      for (const Pose& pose : {Pose{}, Pose{rotation_about({1, 2, 3}, 33), {7, -5, 3}}}) {
+        static_cast<void>(model.leaf_triangles());
+        const std::vector<RayQuery> rays = rays_of_a_camera(model, pose);
+        const std::vector<RayHit> together = cast_ray_each(rays, model);
+        std::size_t hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          ASSERT_EQ(together[i], cast_ray(rays[i].origin, rays[i].motion, model, pose, Solid::none))
+              << i << ", " << name_of(level);
+          hits += together[i].hit ? 1 : 0;
+        }
+        EXPECT_GT(hits, rays.size() / 4);
+      }
+  });
+}
+
+// Everything but a mesh at the identity, which the questions one by one know a shorter way for, and that.
+TEST(Ray, OfACasterIsThatOfAQuestionByItself) {
+  const Model knot(generate_mesh("torus-knot")), ball(Sphere{0.7}), box(Box{{0.5, 0.4, 0.3}}), cone(Cone(0.5, 0.4));
+  const Model both(Compound({{box.shape(), Pose::translation(0.5, 0, 0)}, {icosphere.shape(), Pose{}}}));
+  Random random(31);
+  std::size_t hits = 0, starts = 0;
+  for (const Model& model : {knot, icosphere, ball, box, cone, both})
+    for (const Pose& pose : {Pose{}, Pose{rotation_about({1, 2, 3}, 33), {0.5, 0.25, 0}}}) {
+      const RayCaster caster(model, pose);
+      for (int i = 0; i < 60; ++i) {
+        const Vec3 from = test::in_cube(random, 1.5), motion = test::in_cube(random, 3);
+        const RayHit hit = cast_ray(from, motion, model, pose);
+        ASSERT_EQ(caster.cast_ray(from, motion), hit) << name_of(model.shape()) << ", " << i;
+        hits += hit.hit ? 1 : 0;
+        starts += hit.hit && hit.upper == 0 ? 1 : 0;
+      }
+    }
+  EXPECT_GT(hits, 100U);
+  EXPECT_GT(starts, 10U);
+}
+
+TEST(Ray, OfACasterStaysThatOfTheModelItWasMadeOf) {
+  Model model(generate_mesh("icosphere", {{"subdivisions", 2}}));
+  const Vec3 from{3, 0.1, 0.2}, motion{-6, 0, 0};
+  RayCaster caster(model);
+  const RayHit before = caster.cast_ray(from, motion);
+  std::vector<Vec3> vertices(model.mesh().vertices().begin(), model.mesh().vertices().end());
+  for (Vec3& vertex : vertices) vertex = 0.5 * vertex;
+  static_cast<void>(model.deform(std::move(vertices)));
+  const RayCaster moved = std::move(caster);
+  EXPECT_EQ(moved.cast_ray(from, motion), before);
+  EXPECT_NE(RayCaster(model).cast_ray(from, motion), before);
+  EXPECT_THROW(static_cast<void>(moved.cast_ray(from, {})), Error);
+  EXPECT_THROW(RayCaster(model, {Mat3{}, {NAN, 0, 0}}), Error);
 }
 
 TEST(Ray, BadInputIsRefused) {

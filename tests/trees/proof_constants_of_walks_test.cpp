@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -237,17 +238,18 @@ TEST(ProofConstants, ARayThatStandsStillAlongAnAxisHardlyMovesInTheWalk) {
 /// Of a pose that changes nothing, and a tree within ±2.
 RayFrame frame_of_nothing() { return {.back = Mat3{}, .offset = {}, .origin = {}, .box = {{-2, -2, -2}, {2, 2, 2}}}; }
 
-RayInTree brought(const RayFrame& frame, const Vec3& from, const Vec3& motion) {
+/// By itself, and as one of many.
+std::array<RayInTree, 2> brought(const RayFrame& frame, const Vec3& from, const Vec3& motion) {
   const PreparedRay ray(from, motion);
-  RayInTree way;
-  rays_into_tree(frame, {&ray, 1}, {&way, 1});
-  return way;
+  std::array<RayInTree, 2> ways{ray_into_tree(frame, ray), {}};
+  rays_into_tree(frame, {&ray, 1}, {&ways[1], 1});
+  return ways;
 }
 
 // It enters at 3/20, by a product with a rounded reciprocal.
 TEST(ProofConstants, TheTimeAtWhichARayEntersATreeIsNotTooLate) {
-  const RayInTree way = brought(frame_of_nothing(), {-2 - 0x3p16, 0, 0}, {0x5p18, 0, 0});
-  EXPECT_LE(exact(way.from) * 20, 3);
+  for (const RayInTree& way : brought(frame_of_nothing(), {-2 - 0x3p16, 0, 0}, {0x5p18, 0, 0}))
+    EXPECT_LE(exact(way.from) * 20, 3);
 }
 
 // The side of the box less what a point is off by is rounded to the side, a last place before which the ray begins.
@@ -256,25 +258,26 @@ TEST(ProofConstants, TheSideOfATreeThatARayEntersIsFarEnoughOut) {
   RayFrame frame = frame_of_nothing();
   frame.box.lower.x = side;
   frame.off = off;
-  const RayInTree way = brought(frame, {std::nextafter(side, 0), 0, 0}, {1, 0, 0});
-  EXPECT_LE(exact(way.from), (exact(side) - exact(off)) - exact(std::nextafter(side, 0)));
+  for (const RayInTree& way : brought(frame, {std::nextafter(side, 0), 0, 0}, {1, 0, 0}))
+    EXPECT_LE(exact(way.from), (exact(side) - exact(off)) - exact(std::nextafter(side, 0)));
 }
 
 TEST(ProofConstants, TheLeanOfARayIsRoundedUp) {
   RayFrame frame = frame_of_nothing();
   frame.off_by_size = 0x1p-12 * (1 + 0x1p-25);
-  const RayInTree way = brought(frame, {0, 0, 0}, {1, 0, 0});
-  EXPECT_GE(exact(double{way.ray.lean}), exact(frame.off_by_size));
+  for (const RayInTree& way : brought(frame, {0, 0, 0}, {1, 0, 0}))
+    EXPECT_GE(exact(double{way.ray.lean}), exact(frame.off_by_size));
 }
 
 // Origin and motion are rounded the same way.
 TEST(ProofConstants, ThePadOfARayCoversThatItsNumbersAreFloats) {
   const double from = -(1 + 0x1p-24 - 0x1p-50), motion = 2 + 0x1p-22 - 0x1p-23 + 0x1p-50;
-  const RayInTree way = brought(frame_of_nothing(), {from, 0, 0}, {motion, 0, 0});
-  ASSERT_EQ(way.from, 0);
-  ASSERT_EQ(way.to, 1);
-  const Rational end = exact(double{way.ray.origin[0]}) + exact(double{way.ray.motion[0]});
-  EXPECT_LE(abs(end - (exact(from) + exact(motion))), exact(double{way.ray.pad}));
+  for (const RayInTree& way : brought(frame_of_nothing(), {from, 0, 0}, {motion, 0, 0})) {
+    ASSERT_EQ(way.from, 0);
+    ASSERT_EQ(way.to, 1);
+    const Rational end = exact(double{way.ray.origin[0]}) + exact(double{way.ray.motion[0]});
+    EXPECT_LE(abs(end - (exact(from) + exact(motion))), exact(double{way.ray.pad}));
+  }
 }
 
 }  // namespace

@@ -71,7 +71,11 @@ class PlyBodyReader {
     require_corner_list(element, roles);
     if (element.name == "vertex") mesh_.vertices.reserve(element.count);
     if (element.name == "face") reserve_faces(element, roles);
-    for (element_ = 0; element_ < element.count; ++element_) read_element(element, roles);
+    const bool are_vertices = element.name == "vertex";
+    for (element_ = 0; element_ < element.count; ++element_) {
+      const Vec3 vertex = read_element(element, roles);
+      if (are_vertices) mesh_.vertices.push_back(vertex);
+    }
   }
 
   /// Counts are believed only if the file is long enough for them.
@@ -107,7 +111,8 @@ class PlyBodyReader {
     mesh_.first.reserve(mesh_.first.size() + faces);
   }
 
-  void read_element(const PlyElement& element, const std::vector<PlyRole>& roles) {
+  /// The position, of a vertex.
+  Vec3 read_element(const PlyElement& element, const std::vector<PlyRole>& roles) {
     values_.begin_element();
     Vec3 vertex;
     for (std::size_t i = 0; i < roles.size(); ++i) {
@@ -132,8 +137,8 @@ class PlyBodyReader {
           values_.skip(property.type, property.count_type ? read_count(property) : 1);
       }
     }
-    if (element.name == "vertex") mesh_.vertices.push_back(vertex);
     values_.end_element();
+    return vertex;
   }
 
   std::size_t read_count(const PlyProperty& list) {
@@ -187,10 +192,13 @@ class PlyBodyReader {
   }
 
   void require_vertex(std::int64_t index) const {
-    if (index < 0 || index >= static_cast<std::int64_t>(vertices_))
-      values_.fail("face " + std::to_string(mesh_.first.size() - 1) + " names vertex " + std::to_string(index) +
-                       ", but there are " + std::to_string(vertices_),
-                   "count vertices from 0");
+    if (index < 0 || index >= static_cast<std::int64_t>(vertices_)) refuse_vertex(index);
+  }
+
+  [[noreturn]] void refuse_vertex(std::int64_t index) const {
+    values_.fail("face " + std::to_string(mesh_.first.size() - 1) + " names vertex " + std::to_string(index) +
+                     ", but there are " + std::to_string(vertices_),
+                 "count vertices from 0");
   }
 
   const PlyHeader& header_;

@@ -138,21 +138,6 @@ class PlyHeaderReader {
 
 }  // namespace
 
-std::size_t size_of(PlyType type) {
-  switch (type) {
-    case PlyType::int8:
-    case PlyType::uint8:
-      return 1;
-    case PlyType::int16:
-    case PlyType::uint16:
-      return 2;
-    case PlyType::float64:
-      return 8;
-    default:
-      return 4;
-  }
-}
-
 bool is_integer(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
 bool looks_like_ply(std::span<const char> bytes) {

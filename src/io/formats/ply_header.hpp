@@ -13,7 +13,10 @@ enum class PlyEncoding { ascii, binary_little_endian, binary_big_endian };
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-[[nodiscard]] std::size_t size_of(PlyType type);
+[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
+  constexpr std::size_t size[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return size[static_cast<std::size_t>(type)];
+}
 [[nodiscard]] bool is_integer(PlyType type);
 
 struct PlyProperty {

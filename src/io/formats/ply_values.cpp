@@ -1,34 +1,9 @@
 #include "io/formats/ply_values.hpp"
 
-#include <cmath>
-
-#include "io/formats/binary_values.hpp"
 #include "io/formats/file_error.hpp"
 
 namespace toccata::io {
 namespace {
-
-template <typename T>
-T converted(std::span<const char> bytes, PlyType type, std::endian order) {
-  switch (type) {
-    case PlyType::int8:
-      return static_cast<T>(stored_value<std::int8_t>(bytes, order));
-    case PlyType::uint8:
-      return static_cast<T>(stored_value<std::uint8_t>(bytes, order));
-    case PlyType::int16:
-      return static_cast<T>(stored_value<std::int16_t>(bytes, order));
-    case PlyType::uint16:
-      return static_cast<T>(stored_value<std::uint16_t>(bytes, order));
-    case PlyType::int32:
-      return static_cast<T>(stored_value<std::int32_t>(bytes, order));
-    case PlyType::uint32:
-      return static_cast<T>(stored_value<std::uint32_t>(bytes, order));
-    case PlyType::float32:
-      return static_cast<T>(stored_value<float>(bytes, order));
-    default:
-      return static_cast<T>(stored_value<double>(bytes, order));
-  }
-}
 
 constexpr const char* truncated = "the file ends before its last element";
 constexpr const char* too_long = "there is more in the file than its header announces";
@@ -71,17 +46,8 @@ std::size_t PlyTextValues::most_elements_left(std::size_t values, std::size_t /*
   return (cursor_.bytes_left() + 1) / (2 * values);
 }
 
-double PlyBinaryValues::number(PlyType type, std::string_view what) {
-  const double value = converted<double>(take(size_of(type)), type, order_);
-  if (!std::isfinite(value)) {
-    position_ -= size_of(type);
-    fail(std::string(what) + " is not finite", "export the mesh again");
-  }
-  return value;
-}
-
-std::int64_t PlyBinaryValues::integer(PlyType type, std::string_view /*what*/) {
-  return converted<std::int64_t>(take(size_of(type)), type, order_);
+void PlyBinaryValues::fail_before(std::size_t bytes, std::string_view what) const {
+  fail_at_byte(name_, position_ - bytes, {std::string(what) + " is not finite", "export the mesh again"});
 }
 
 void PlyBinaryValues::skip(PlyType type, std::size_t values) {
@@ -97,11 +63,6 @@ void PlyBinaryValues::fail(const std::string& what, const std::string& advice) c
   fail_at_byte(name_, position_, {what, advice});
 }
 
-std::span<const char> PlyBinaryValues::take(std::size_t bytes) {
-  if (bytes > file_.size() - position_) fail(truncated, counts_advice);
-  const std::span<const char> taken = file_.subspan(position_, bytes);
-  position_ += bytes;
-  return taken;
-}
+void PlyBinaryValues::fail_truncated() const { fail(truncated, counts_advice); }
 
 }  // namespace toccata::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/formats/binary_values.hpp"
 #include "io/formats/ply_header.hpp"
 #include "io/formats/text_cursor.hpp"
 
@@ -48,6 +50,29 @@ class PlyTextValues {
   TextCursor cursor_;
 };
 
+/// The value of that type which is stored there.
+template <typename T>
+[[nodiscard]] T converted(std::span<const char> bytes, PlyType type, std::endian order) {
+  switch (type) {
+    case PlyType::int8:
+      return static_cast<T>(stored_value<std::int8_t>(bytes, order));
+    case PlyType::uint8:
+      return static_cast<T>(stored_value<std::uint8_t>(bytes, order));
+    case PlyType::int16:
+      return static_cast<T>(stored_value<std::int16_t>(bytes, order));
+    case PlyType::uint16:
+      return static_cast<T>(stored_value<std::uint16_t>(bytes, order));
+    case PlyType::int32:
+      return static_cast<T>(stored_value<std::int32_t>(bytes, order));
+    case PlyType::uint32:
+      return static_cast<T>(stored_value<std::uint32_t>(bytes, order));
+    case PlyType::float32:
+      return static_cast<T>(stored_value<float>(bytes, order));
+    default:
+      return static_cast<T>(stored_value<double>(bytes, order));
+  }
+}
+
 /// Values as bytes without anything between them.
 class PlyBinaryValues {
  public:
@@ -57,15 +82,29 @@ class PlyBinaryValues {
   void begin_element() {}
   void end_element() {}
   void expect_end() const;
-  [[nodiscard]] double number(PlyType type, std::string_view what);
-  [[nodiscard]] std::int64_t integer(PlyType type, std::string_view what);
+  [[nodiscard]] double number(PlyType type, std::string_view what) {
+    const double value = converted<double>(take(size_of(type)), type, order_);
+    if (!std::isfinite(value)) fail_before(size_of(type), what);
+    return value;
+  }
+  [[nodiscard]] std::int64_t integer(PlyType type, std::string_view /*what*/) {
+    return converted<std::int64_t>(take(size_of(type)), type, order_);
+  }
   void skip(PlyType type, std::size_t values);
   [[nodiscard]] std::size_t most_elements_left(std::size_t values, std::size_t bytes) const;
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
 
  private:
   /// The next bytes of the file; throws where it ends before.
-  std::span<const char> take(std::size_t bytes);
+  std::span<const char> take(std::size_t bytes) {
+    if (bytes > file_.size() - position_) fail_truncated();
+    const std::span<const char> taken = file_.subspan(position_, bytes);
+    position_ += bytes;
+    return taken;
+  }
+  [[noreturn]] void fail_truncated() const;
+  /// A value that is stored in the last so many bytes is not finite.
+  [[noreturn]] void fail_before(std::size_t bytes, std::string_view what) const;
 
   std::span<const char> file_;
   std::size_t position_;

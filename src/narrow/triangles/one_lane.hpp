@@ -60,10 +60,24 @@ HWY_INLINE OneVector cross(const OneVector& u, const OneVector& v) {
   // The product's z comes first.
   return next({hn::Sub(hn::Mul(u.xyz, next(v).xyz), hn::Mul(next(u).xyz, v.xyz))});
 }
+HWY_INLINE OneNumber greatest_of(const OneVector& v) {
+  const OneVector size = magnitudes_of(v);
+  return greater(greater(x_of(size), y_of(size)), z_of(size));
+}
 HWY_INLINE OneVector select(const OneMask& mask, const OneVector& yes, const OneVector& no) {
   const auto bits = hn::Set(Coordinates(), hn::GetLane(hn::VecFromMask(OneTag(), mask)));
   return {hn::IfVecThenElse(bits, yes.xyz, no.xyz)};
 }
+
+/// What `op` makes of each coordinate.
+template <class Op, class... More>
+HWY_INLINE OneVector each(const Op& op, const OneVector& v, const More&... more) {
+  return {op(v.xyz, more.xyz...)};
+}
+HWY_INLINE OneVector in_each(const OneVector& /*like*/, const OneNumber& s) {
+  return {hn::Set(Coordinates(), hn::GetLane(s))};
+}
+HWY_INLINE OneVector in_lanes_of(const OneVector& /*like*/, const Vec3& v) { return in_one(v); }
 
 #else
 
@@ -86,6 +100,23 @@ HWY_INLINE void store(const OneVector& v, Vec3& to) {
 #else
   to = {first_of(v.x), first_of(v.y), first_of(v.z)};
 #endif
+}
+
+// The same of one or many in the lanes.
+
+template <class T, class Op, class... More>
+HWY_INLINE LaneVector<T> each(const Op& op, const LaneVector<T>& v, const More&... more) {
+  return {op(v.x, more.x...), op(v.y, more.y...), op(v.z, more.z...)};
+}
+/// A number at each coordinate.
+template <class T>
+HWY_INLINE LaneVector<T> in_each(const LaneVector<T>& /*like*/, const hn::Vec<T>& s) {
+  return {s, s, s};
+}
+/// A vector in all lanes of vectors such as `like`.
+template <class T>
+HWY_INLINE LaneVector<T> in_lanes_of(const LaneVector<T>& /*like*/, const Vec3& v) {
+  return {hn::Set(T(), v.x), hn::Set(T(), v.y), hn::Set(T(), v.z)};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <cstddef>
 
 #include "math/constants.hpp"
-#include "math/lanes.hpp"
+#include "narrow/triangles/one_lane.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata::HWY_NAMESPACE {
@@ -21,8 +21,92 @@ namespace {
 // The steps and bounds are those of ray_triangle.cpp, in the same order, so that the bits are the same.
 constexpr double most_off_to_pass = 0x1p-43;
 
-HWY_INLINE Mask is_middling(const Number& size) {
-  return hn::And(hn::Gt(size, all(0x1p-200)), hn::Lt(size, all(0x1p200)));
+template <class N>
+HWY_INLINE hn::Mask<TagOf<N>> is_middling(const N& size) {
+  return hn::And(hn::Gt(size, all<N>(0x1p-200)), hn::Lt(size, all<N>(0x1p200)));
+}
+
+template <class V>
+struct PassingTimes {
+  NumberOf<V> lower, upper;
+  MaskOf<V> told;
+};
+
+template <class V>
+HWY_INLINE PassingTimes<V> passing_in_doubles(const V& motion, const NumberOf<V>& largest, const V& seen,
+                                              const NumberOf<V>& seen_size, const V& normal, const NumberOf<V>& size) {
+  using N = NumberOf<V>;
+  const N bound = hn::Mul(hn::Mul(all<N>(64 * unit_roundoff), size), size), speed = dot(motion, normal);
+  const N time = hn::Div(dot(seen, normal), speed), late = hn::Abs(time);
+  const N sure_speed = hn::Sub(hn::Abs(speed), hn::Mul(bound, largest));
+  const N off = hn::Add(hn::Div(hn::Mul(bound, hn::Add(seen_size, hn::Mul(late, largest))), sure_speed),
+                        hn::Mul(all<N>(4 * unit_roundoff), late));
+  const N lower = hn::Sub(time, off), upper = hn::Add(time, off);
+  const auto known = hn::And(hn::And(is_middling(size), is_middling(seen_size)),
+                             hn::And(is_middling(largest), hn::Gt(sure_speed, all<N>(0))));
+  const auto settled =
+      hn::And(hn::Le(off, all<N>(most_off_to_pass)), hn::And(hn::Gt(lower, all<N>(0)), hn::Lt(upper, all<N>(1))));
+  return {lower, upper, hn::And(known, settled)};
+}
+
+template <class V>
+HWY_INLINE V scaled_to_unit(const V& normal) {
+  const V scaled = each([](const auto& x, const auto& largest) HWY_ATTR { return hn::Div(x, largest); }, normal,
+                        in_each(normal, greatest_of(normal)));
+  return times(hn::Div(all<NumberOf<V>>(1), hn::Sqrt(dot(scaled, scaled))), scaled);
+}
+
+/// Rays, and the corners of their triangles.
+template <class V>
+struct Passing {
+  V origin, motion, first, second, third;
+  NumberOf<V> largest;
+};
+
+/// PassingHit, of each.
+template <class V>
+struct Passed {
+  V point, normal;
+  NumberOf<V> lower, upper;
+  MaskOf<V> told;
+};
+
+template <class V>
+HWY_INLINE Passed<V> passed(const Passing<V>& asked) {
+  using N = NumberOf<V>;
+  const V a = minus(asked.first, asked.origin), b = minus(asked.second, asked.origin),
+          c = minus(asked.third, asked.origin);
+  const N seen_size = greater(greater(greatest_of(a), greatest_of(b)), greatest_of(c));
+  const V e = minus(asked.second, asked.first), f = minus(asked.third, asked.first), normal = cross(e, f);
+  const N size = greater(greatest_of(e), greatest_of(f));
+  const PassingTimes<V> passing = passing_in_doubles(asked.motion, asked.largest, a, seen_size, normal, size);
+  const auto cancels = hn::Lt(dot(normal, normal), hn::Mul(all<N>(0x1p-40), hn::Mul(dot(e, e), dot(f, f))));
+  const V outwards = scaled_to_unit(normal);
+  const auto away = hn::Gt(dot(outwards, asked.motion), all<N>(0));
+  const N time = hn::Mul(all<N>(0.5), hn::Add(passing.lower, passing.upper));
+  return {plus(asked.origin, times(time, asked.motion)), select(away, negative(outwards), outwards), passing.lower,
+          passing.upper, hn::AndNot(cancels, passing.told)};
+}
+
+HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
+HWY_INLINE Vec3 first_of(const OneVector& v) { return {first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))}; }
+
+PassingHit run_one_passing(const PassingRay& one) {
+  // Number by number: they were mostly written just now, and a load of several at once would wait for that.
+  const auto fresh = [](const Vec3& v) HWY_ATTR { return in_one(v.x, v.y, v.z); };
+  const Triangle& target = one.target;
+  const Passed<OneVector> found =
+      passed<OneVector>({fresh(one.ray->origin), fresh(one.ray->motion), fresh(target[0]), fresh(target[1]),
+                         fresh(target[2]), all<OneNumber>(one.ray->largest)});
+  PassingHit hit;
+  hit.told = hn::AllTrue(OneTag(), found.told);
+  if (!hit.told) return hit;
+  hit.cast.hit = true;
+  hit.cast.lower = first_of(found.lower);
+  hit.cast.upper = first_of(found.upper);
+  hit.cast.point = first_of(found.point);
+  hit.cast.normal = first_of(found.normal);
+  return hit;
 }
 
 /// So many rays and triangles, or answers, number by number.
@@ -46,52 +130,16 @@ struct PassingRows {
   alignas(64) double row[16][most_lanes];
 };
 
-struct PassingTimes {
-  Number lower, upper;
-  Mask told;
-};
-
-HWY_INLINE PassingTimes passing_in_doubles(const Vector& motion, const Number& largest, const Vector& seen,
-                                           const Number& seen_size, const Vector& normal, const Number& size) {
-  const Number bound = hn::Mul(hn::Mul(all(64 * unit_roundoff), size), size), speed = dot(motion, normal);
-  const Number time = hn::Div(dot(seen, normal), speed), late = hn::Abs(time);
-  const Number sure_speed = hn::Sub(hn::Abs(speed), hn::Mul(bound, largest));
-  const Number off = hn::Add(hn::Div(hn::Mul(bound, hn::Add(seen_size, hn::Mul(late, largest))), sure_speed),
-                             hn::Mul(all(4 * unit_roundoff), late));
-  const Number lower = hn::Sub(time, off), upper = hn::Add(time, off);
-  const Mask known = hn::And(hn::And(is_middling(size), is_middling(seen_size)),
-                             hn::And(is_middling(largest), hn::Gt(sure_speed, hn::Zero(tag))));
-  const Mask settled =
-      hn::And(hn::Le(off, all(most_off_to_pass)), hn::And(hn::Gt(lower, hn::Zero(tag)), hn::Lt(upper, all(1))));
-  return {lower, upper, hn::And(known, settled)};
-}
-
-HWY_INLINE Vector scaled_to_unit(const Vector& normal) {
-  const Number largest = greatest_of(normal);
-  const Vector scaled{hn::Div(normal.x, largest), hn::Div(normal.y, largest), hn::Div(normal.z, largest)};
-  return times(hn::Div(all(1), hn::Sqrt(dot(scaled, scaled))), scaled);
-}
-
 /// Rows of origin, motion, the three corners and the greatest coordinate of the motion, to rows of point, normal, lower
 /// and upper time, and 1 where they are told.
 void answer(const PassingRows& asked, PassingRows& answers) {
-  const Vector origin = asked.load(0), motion = asked.load(3);
-  const Vector first = asked.load(6), second = asked.load(9), third = asked.load(12);
-  const Number largest = hn::Load(tag, asked.row[15]);
-  const Vector a = minus(first, origin), b = minus(second, origin), c = minus(third, origin);
-  const Number seen_size = greater(greater(greatest_of(a), greatest_of(b)), greatest_of(c));
-  const Vector e = minus(second, first), f = minus(third, first), normal = cross(e, f);
-  const Number size = greater(greatest_of(e), greatest_of(f));
-  const PassingTimes passing = passing_in_doubles(motion, largest, a, seen_size, normal, size);
-  const Mask cancels = hn::Lt(dot(normal, normal), hn::Mul(all(0x1p-40), hn::Mul(dot(e, e), dot(f, f))));
-  const Vector outwards = scaled_to_unit(normal);
-  const Mask away = hn::Gt(dot(outwards, motion), hn::Zero(tag));
-  const Number time = hn::Mul(all(0.5), hn::Add(passing.lower, passing.upper));
-  answers.store(0, plus(origin, times(time, motion)));
-  answers.store(3, select(away, negative(outwards), outwards));
-  hn::Store(passing.lower, tag, answers.row[6]);
-  hn::Store(passing.upper, tag, answers.row[7]);
-  hn::Store(hn::IfThenElseZero(hn::AndNot(cancels, passing.told), all(1)), tag, answers.row[8]);
+  const Passed<Vector> found = passed<Vector>(
+      {asked.load(0), asked.load(3), asked.load(6), asked.load(9), asked.load(12), hn::Load(tag, asked.row[15])});
+  answers.store(0, found.point);
+  answers.store(3, found.normal);
+  hn::Store(found.lower, tag, answers.row[6]);
+  hn::Store(found.upper, tag, answers.row[7]);
+  hn::Store(hn::IfThenElseZero(found.told, all(1)), tag, answers.row[8]);
 }
 
 void put(const PassingRay& one, PassingRows& rows, std::size_t lane) {
@@ -131,9 +179,12 @@ HWY_AFTER_NAMESPACE();
 namespace toccata {
 namespace {
 
+HWY_EXPORT(run_one_passing);
 HWY_EXPORT(run_passing);
 
 }  // namespace
+
+PassingHit hit_of_passing(const PassingRay& passing) { return HWY_DYNAMIC_DISPATCH(run_one_passing)(passing); }
 
 void hits_of_passing(std::span<const PassingRay> rays, std::span<PassingHit> hits) {
   HWY_DYNAMIC_DISPATCH(run_passing)(rays, hits);

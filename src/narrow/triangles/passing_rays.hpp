@@ -18,6 +18,8 @@ struct PassingHit {
   Cast cast;
 };
 
+[[nodiscard]] PassingHit hit_of_passing(const PassingRay& passing);
+
 /// Of several side by side; `hits` is as long.
 void hits_of_passing(std::span<const PassingRay> rays, std::span<PassingHit> hits);
 

@@ -105,7 +105,7 @@ void SweptView::add(const A& a, const Vec3& motion, const B& b, const Vec3& dire
   const double speed = dot(up, motion), moved = dot(magnitudes(up), magnitudes(motion));
   const double size = (of_a.size + of_b.size) + moved;
   const double underflowed = (1 + sum_of_magnitudes(up)) + (of_a.coordinates + of_b.coordinates);
-  const double pad = 64 * unit_roundoff * size + (64 * smallest_double * underflowed + 0x1p-960);
+  const double pad = 64 * unit_roundoff * size + (underflow_of(64 * underflowed, size) + 0x1p-960);
   SweptDirection result;
   result.form = {of_a.form, of_b.form};
   result.offset = {of_a.offset, of_b.offset};

@@ -31,9 +31,15 @@ inline FormRange range_of(const Vec3& form, const Aabb& box) {
 /// that what is not a number fails them, and nothing is culled.
 inline bool is_certain(double gap, double pad) { return gap > pad && gap <= std::numeric_limits<double>::max(); }
 
+/// Not less than so many smallest doubles; less than u · size more, where they are nothing beside that. A processor may
+/// take fifty times as long for a product with one of them as for any other.
+inline double underflow_of(double count, double size) {
+  return count < 0x1p1000 * size ? unit_roundoff * size : count * smallest_double;
+}
+
 /// pad(L): `rounded` is W, or S along an axis, and `underflowed` is what smallest doubles are multiplied with.
 inline double culling_pad(double rounded, double underflowed) {
-  return 16 * unit_roundoff * rounded + 8 * smallest_double * underflowed;
+  return 16 * unit_roundoff * rounded + underflow_of(8 * underflowed, rounded);
 }
 
 /// ρ: the largest magnitude of each coordinate in a box.

@@ -12,6 +12,7 @@ SurfacePoint nearest_point(const Vec3& point, const Model& surface, const Neares
 
 SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query, Workspace& workspace) {
   SearchScratch& scratch = workspace.scratch();
+  if (surface.has_mesh()) return nearest_of_mesh(point, surface, query, scratch);
   NearestSearch search(surface, query, 1, std::move(scratch.posed[0]));
   const SurfacePoint found = search.nearest(point, scratch);
   scratch.posed[0] = search.release();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -12,8 +13,18 @@
 namespace toccata {
 namespace {
 
+constexpr std::string_view name_of_surface = "the surface";
+
 void require_distance(double max_distance) {
   if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
+}
+
+void require_point(const Vec3& point) {
+  if (!is_finite(point)) throw Error("the point is not finite");
+}
+
+SurfacePoint first_of(std::span<const SurfacePoint> in_order) {
+  return in_order.empty() ? SurfacePoint{} : in_order.front();
 }
 
 SurfacePoint nearest_of_quadric(const Vec3& point, const PosedQuadric& shape) {
@@ -30,9 +41,23 @@ SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
 
 }  // namespace
 
+SurfacePoint nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query, SearchScratch& scratch) {
+  const auto ask = [&](const SurfaceTarget& target) {
+    require_distance(query.max_distance);
+    require_point(point);
+    scratch.counts = {};
+    NearestElements nearest(1, query.max_distance, scratch.surface_points);
+    target.see_near(point, nearest, scratch);
+    return first_of(nearest.in_order());
+  };
+  if (query.pose == Pose{}) return ask(SurfaceTarget(mesh, 1));
+  const PosedMesh posed(mesh, query.pose, name_of_surface);
+  return ask(SurfaceTarget(posed, 0, 0, 1));
+}
+
 NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, std::size_t points,
                              std::vector<PosedPart> memory)
-    : posed_(pose_model(surface, query.pose, Solid::none, "the surface", std::move(memory))),
+    : posed_(pose_model(surface, query.pose, Solid::none, name_of_surface, std::move(memory))),
       max_distance_(query.max_distance) {
   require_distance(max_distance_);
   for (const PosedPart& part : posed_.parts) {
@@ -44,7 +69,7 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
 }
 
 std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size_t k, SearchScratch& scratch) const {
-  if (!is_finite(point)) throw Error("the point is not finite");
+  require_point(point);
   scratch.counts = {};
   NearestElements nearest(k, max_distance_, scratch.surface_points);
   auto convex = convexes_.begin();
@@ -61,8 +86,7 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
 }
 
 SurfacePoint NearestSearch::nearest(const Vec3& point, SearchScratch& scratch) const {
-  const std::span<const SurfacePoint> found = search(point, 1, scratch);
-  return found.empty() ? SurfacePoint{} : found.front();
+  return first_of(search(point, 1, scratch));
 }
 
 void NearestSearch::nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const {

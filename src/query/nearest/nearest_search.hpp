@@ -12,6 +12,10 @@
 
 namespace toccata {
 
+/// nearest_point of one mesh or height field: the same without lists of one.
+[[nodiscard]] SurfacePoint nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query,
+                                           SearchScratch& scratch);
+
 /// A surface at its place, made ready for many points. It refers to the model. Throws as nearest_point does of all but
 /// the point.
 class NearestSearch {

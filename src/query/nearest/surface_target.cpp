@@ -21,7 +21,7 @@ void put(TriangleBlock& block, std::size_t lane, const Triangle& triangle) {
 }  // namespace
 
 SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face, std::size_t points)
-    : posed_(mesh),
+    : pose_(mesh.pose()),
       mesh_(mesh.model().mesh()),
       tree_(mesh.model().wide_bvh()),
       way_(mesh),
@@ -30,8 +30,17 @@ SurfaceTarget::SurfaceTarget(const PosedMesh& mesh, Index first_element, Index f
       first_element_(first_element),
       first_face_(first_face) {}
 
+SurfaceTarget::SurfaceTarget(const Model& standing, std::size_t points)
+    : mesh_(standing.mesh()),
+      tree_(standing.wide_bvh()),
+      way_(tree_),
+      stretch_(stretch_into(tree_)),
+      leaves_(stretch_.is_equal ? standing.leaf_triangles_for(points) : nullptr),
+      first_element_(0),
+      first_face_(0) {}
+
 WidePoint SurfaceTarget::in_tree(const Vec3& point) const {
-  return {way_.place(point - posed_.pose().offset), 2 * way_.off(largest_magnitude(point))};
+  return {way_.place(point - pose_.offset), 2 * way_.off(largest_magnitude(point))};
 }
 
 bool SurfaceTarget::is_usable(const WidePoint& in_tree) const {
@@ -105,7 +114,7 @@ void SurfaceTarget::bound_few(const Vec3& point, std::span<const Index> triangle
     put(block, lane, {{vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}});
   }
   block.count = triangles.size();
-  bound(point, posed_.pose(), block, bounds);
+  bound(point, pose_, block, bounds);
   for (std::size_t lane = 0; lane < triangles.size(); ++lane)
     candidates.see(triangles[lane], bounds.lower[lane], bounds.upper[lane]);
 }
@@ -156,9 +165,8 @@ void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, Nea
 Triangle SurfaceTarget::world_triangle(Index number) const {
   const auto& corner = mesh_.triangles()[number];
   const Vec3* vertices = mesh_.vertices().data();
-  const Pose& pose = posed_.pose();
-  return {{world_vertex(pose, vertices[corner[0]]), world_vertex(pose, vertices[corner[1]]),
-           world_vertex(pose, vertices[corner[2]])}};
+  return {{world_vertex(pose_, vertices[corner[0]]), world_vertex(pose_, vertices[corner[1]]),
+           world_vertex(pose_, vertices[corner[2]])}};
 }
 
 }  // namespace toccata

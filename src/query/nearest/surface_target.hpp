@@ -16,6 +16,9 @@ class SurfaceTarget {
   /// Its elements and faces are counted from these on; about so many points will be asked about.
   SurfaceTarget(const PosedMesh& mesh, Index first_element, Index first_face, std::size_t points);
 
+  /// A mesh at the identity, which need not be posed. The model must outlive it.
+  SurfaceTarget(const Model& standing, std::size_t points);
+
   /// Shows all triangles that may be among the nearest, in any order.
   void see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const;
 
@@ -45,7 +48,7 @@ class SurfaceTarget {
   void see(const Vec3& point, std::span<const Index> triangles, NearestElements& nearest) const;
   [[nodiscard]] Triangle world_triangle(Index number) const;
 
-  const PosedMesh& posed_;
+  Pose pose_;
   const TriangleMesh& mesh_;
   const WideBvh& tree_;
   WayIntoTree way_;

@@ -10,6 +10,9 @@
 namespace toccata {
 namespace {
 
+/// Of a root, and of a matrix that is hardly rigid.
+constexpr double hardly_more = 1 + 0x1p-40;
+
 Mat3 inverse(const Mat3& m, double scale) {
   const Vec3 x = cross(m.column(1), m.column(2)), y = cross(m.column(2), m.column(0)),
              z = cross(m.column(0), m.column(1));
@@ -21,24 +24,57 @@ Mat3 inverse(const Mat3& m, double scale) {
   return result;
 }
 
+/// Of one row of B: |B_i| S, the sum of |B_i|, and |E_i| rho.
+struct AxisTerms {
+  double row_by_sizes;
+  double row_sum;
+  double error_by_rho;
+};
+
+struct OffBounds {
+  double at_origin;
+  double by_size;
+  bool are_finite;  ///< and so are the matrix and the origin
+};
+
+/// `terms_of(axis)` tells an axis's terms.
+template <class TermsOf>
+OffBounds bounds_of(double scale, const Vec3& origin, const Vec3& rho, const Vec3& offset, const TermsOf& terms_of) {
+  // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
+  const double of_scale = 8 * unit_roundoff * scale * sum_of_magnitudes(rho);
+  double greatest = 0, greatest_row = 0, all = 0;
+  for (int i = 0; i < 3; ++i) {
+    const AxisTerms axis = terms_of(i);
+    const double off = 24 * unit_roundoff * axis.row_by_sizes + 16 * unit_roundoff * std::fabs(origin[i]) +
+                       underflow_of(8 * axis.row_sum, axis.row_by_sizes) + of_scale + axis.error_by_rho;
+    greatest = std::max(greatest, off);
+    greatest_row = std::max(greatest_row, axis.row_sum);
+    all += off + axis.row_sum;
+  }
+  const double by_size = 32 * unit_roundoff * greatest_row;
+  const double at_origin = 2 * greatest + (by_size * largest_magnitude(offset) + 0x1p-100);
+  return {at_origin, by_size, std::isfinite(all) && std::isfinite(at_origin)};
+}
+
 }  // namespace
 
 WayIntoTree::WayIntoTree(const PosedMesh& mesh) {
   const WideBvh& tree = mesh.model().wide_bvh();
   const double scale = 1 / tree.unit;
-  back_ = inverse(mesh.pose().linear, scale);
+  const Mat3& linear = mesh.pose().linear;
+  back_ = inverse(linear, scale);
   origin_ = scale * tree.origin;
   const Vec3 rho = largest_coordinates(mesh), sizes = world_sizes(mesh);
-  const Mat3& linear = mesh.pose().linear;
-  std::array<AxisTerms, 3> terms;
-  for (int i = 0; i < 3; ++i) {
+  const OffBounds off = bounds_of(scale, origin_, rho, mesh.pose().offset, [&](int i) {
     const Vec3 row = back_[i], magnitude = magnitudes(row);
     Vec3 identity;
     identity[i] = scale;
     const Vec3 error = magnitudes(row.x * linear[0] + row.y * linear[1] + row.z * linear[2] - identity);
-    terms[static_cast<std::size_t>(i)] = {dot(magnitude, sizes), sum_of_magnitudes(magnitude), dot(error, rho)};
-  }
-  set_bounds(scale, rho, mesh.pose().offset, terms);
+    return AxisTerms{dot(magnitude, sizes), sum_of_magnitudes(magnitude), dot(error, rho)};
+  });
+  off_ = off.at_origin;
+  off_by_size_ = off.by_size;
+  usable_ = off.are_finite;
 }
 
 WayIntoTree::WayIntoTree(const WideBvh& tree) {
@@ -48,22 +84,29 @@ WayIntoTree::WayIntoTree(const WideBvh& tree) {
   origin_ = scale * tree.origin;
   // R = 1 and t = 0, by which sizes are rho, and E = 0.
   const Vec3 rho = largest_coordinates(tree.box);
-  set_bounds(scale, rho, {}, {{{scale * rho.x, scale, 0}, {scale * rho.y, scale, 0}, {scale * rho.z, scale, 0}}});
+  const OffBounds off = bounds_of(scale, origin_, rho, {}, [&](int i) { return AxisTerms{scale * rho[i], scale, 0}; });
+  off_ = off.at_origin;
+  off_by_size_ = off.by_size;
+  usable_ = off.are_finite;
 }
 
-void WayIntoTree::set_bounds(double scale, const Vec3& rho, const Vec3& offset, const std::array<AxisTerms, 3>& terms) {
-  // E is off by 8 u (s + |B| |R|), of which |B| |R| rho is no more than |B| S.
-  const double of_scale = 8 * unit_roundoff * scale * sum_of_magnitudes(rho);
-  for (int i = 0; i < 3; ++i) {
-    const AxisTerms& axis = terms[static_cast<std::size_t>(i)];
-    const double off = 24 * unit_roundoff * axis.row_by_sizes + 16 * unit_roundoff * std::fabs(origin_[i]) +
-                       8 * smallest_double * axis.row_sum + of_scale + axis.error_by_rho;
-    if (!std::isfinite(off)) return;
-    off_ = std::max(off_, 2 * off);
-    off_by_size_ = std::max(off_by_size_, 32 * unit_roundoff * axis.row_sum);
-  }
-  off_ += off_by_size_ * largest_magnitude(offset) + 0x1p-100;
-  usable_ = is_finite(back_) && std::isfinite(off_) && std::isfinite(off_by_size_) && is_finite(origin_);
+RayFrame ray_frame(const WideBvh& tree, const WayIntoTree& way, const Vec3& offset) {
+  const double scale = 1 / tree.unit;
+  RayFrame frame;
+  frame.back = way.back();
+  frame.offset = offset;
+  frame.origin = way.origin();
+  frame.box = {scale * tree.box.lower - way.origin(), scale * tree.box.upper - way.origin()};
+  frame.off = way.off_at_origin();
+  frame.off_by_size = way.off_by_size();
+  frame.has_units = tree.unit < 0x1p1023;
+  frame.usable = way.usable();
+  return frame;
+}
+
+Stretch stretch_into(const WideBvh& tree) {
+  const bool is_middling = tree.unit > 0x1p-400 && tree.unit < 0x1p400;
+  return is_middling ? Stretch{hardly_more / tree.unit, true} : Stretch{HUGE_VAL, false};
 }
 
 Stretch stretch_of(const Mat3& m) {
@@ -75,7 +118,7 @@ Stretch stretch_of(const Mat3& m) {
   for (int i = 0; i < 3; ++i) unit[i] = (1 / factor) * m[i];
   const bool is_rigid = is_surely_rigid(unit);
   // By the sum of all squares it is never more.
-  return {(is_rigid ? factor : std::sqrt(squares)) * (1 + 0x1p-40), is_rigid};
+  return {(is_rigid ? factor : std::sqrt(squares)) * hardly_more, is_rigid};
 }
 
 }  // namespace toccata

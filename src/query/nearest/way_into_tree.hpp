@@ -4,6 +4,7 @@
 
 #include "query/meshes/posed_mesh.hpp"
 #include "toccata/math/mat3.hpp"
+#include "trees/ray_frame.hpp"
 
 namespace toccata {
 
@@ -39,20 +40,15 @@ class WayIntoTree {
   [[nodiscard]] const Mat3& back() const { return back_; }
 
  private:
-  /// Of one row of B: |B_i| S, the sum of |B_i|, and |E_i| rho.
-  struct AxisTerms {
-    double row_by_sizes;
-    double row_sum;
-    double error_by_rho;
-  };
-  void set_bounds(double scale, const Vec3& rho, const Vec3& offset, const std::array<AxisTerms, 3>& terms);
-
   Mat3 back_;    ///< about the inverse of the pose's matrix, in the tree's units
   Vec3 origin_;  ///< of the tree, in its units
   double off_ = 0;
   double off_by_size_ = 0;
   bool usable_ = false;
 };
+
+/// The same for rays at a mesh whose pose has that offset.
+[[nodiscard]] RayFrame ray_frame(const WideBvh& tree, const WayIntoTree& way, const Vec3& offset);
 
 /// What a matrix does to lengths.
 struct Stretch {
@@ -62,5 +58,8 @@ struct Stretch {
 };
 
 [[nodiscard]] Stretch stretch_of(const Mat3& m);
+
+/// The same of the way from a mesh at the identity into its tree, which only divides by the unit.
+[[nodiscard]] Stretch stretch_into(const WideBvh& tree);
 
 }  // namespace toccata

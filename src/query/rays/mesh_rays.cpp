@@ -59,6 +59,8 @@ class FirstHit {
   Index triangle_ = 0;
 };
 
+RayTime time_of(const Cast& cast) { return {cast.hit, cast.lower, cast.upper}; }
+
 Aabb region_of(const PreparedRay& ray) {
   Aabb region;
   for (int axis = 0; axis < 3; ++axis) {
@@ -71,26 +73,24 @@ Aabb region_of(const PreparedRay& ray) {
 
 }  // namespace
 
-RayTarget::RayTarget(const Model& model, const PosedMesh* posed, const WayIntoTree& way)
-    : model_(model),
-      posed_(posed),
-      mesh_(model.mesh()),
-      tree_(model.wide_bvh()),
-      usable_(way.usable()),
-      stands_(posed == nullptr || posed->pose() == Pose{}) {
-  const double scale = 1 / tree_.unit;
-  frame_.back = way.back();
-  if (posed != nullptr) frame_.offset = posed->pose().offset;
-  frame_.origin = way.origin();
-  frame_.box = {scale * tree_.box.lower - way.origin(), scale * tree_.box.upper - way.origin()};
-  frame_.off = way.off_at_origin();
-  frame_.off_by_size = way.off_by_size();
-  frame_.has_units = tree_.unit < 0x1p1023;
+RayTarget::RayTarget(const PosedMesh& mesh)
+    : model_(mesh.model()),
+      posed_(&mesh),
+      mesh_(model_.mesh()),
+      tree_(model_.wide_bvh()),
+      leaves_(nullptr),
+      own_frame_(ray_frame(tree_, WayIntoTree(mesh), mesh.pose().offset)),
+      stands_(mesh.pose() == Pose{}) {}
+
+RayTarget::RayTarget(const Model& standing, const LeafTriangles* leaves)
+    : model_(standing),
+      posed_(nullptr),
+      mesh_(standing.mesh()),
+      tree_(standing.wide_bvh()),
+      leaves_(leaves),
+      stands_(true) {
+  if (leaves == nullptr) own_frame_ = ray_frame(tree_, WayIntoTree(tree_), {});
 }
-
-RayTarget::RayTarget(const PosedMesh& mesh) : RayTarget(mesh.model(), &mesh, WayIntoTree(mesh)) {}
-
-RayTarget::RayTarget(const Model& standing) : RayTarget(standing, nullptr, WayIntoTree(standing.wide_bvh())) {}
 
 template <class Search>
 void RayTarget::consider(const RayCandidate& candidate, Search& search) const {
@@ -99,21 +99,29 @@ void RayTarget::consider(const RayCandidate& candidate, Search& search) const {
 }
 
 TriangleHit RayTarget::first_hit(const PreparedRay& ray) const {
-  RayInTree way;
-  if (usable_) rays_into_tree(frame_, {&ray, 1}, {&way, 1});
-  if (!usable_ || !way.known) return search_in_world(ray);
+  if (!frame().usable) return search_in_world(ray);
+  const RayInTree way = ray_into_tree(frame(), ray);
+  if (!way.known) return search_in_world(ray);
   if (way.misses()) return {};
   FirstHit hit(ray, way.from, way.to);
-  walk_rays(tree_, model_.leaf_triangles_for(1), {&way.ray, 1},
-            [&](std::size_t, std::span<const RayCandidate> candidates, bool) {
-              for (const RayCandidate& one : candidates) consider(one, hit);
-              return hit.limit();
-            });
-  return hit.best();
+  // Nearly always one triangle is left at the end, and certain: all of the answer is told at once.
+  PassingHit last_one;
+  walk_rays(tree_, leaves_for(1), {&way.ray, 1}, [&](std::size_t, std::span<const RayCandidate> candidates, bool last) {
+    if (last && candidates.size() == 1 && candidates[0].certain)
+      last_one = hit_of_passing({&ray, world_triangle(candidates[0].triangle)});
+    if (last_one.told)
+      last_one.told = hit.take(time_of(last_one.cast), candidates[0].triangle);
+    else
+      for (const RayCandidate& one : candidates) consider(one, hit);
+    return hit.limit();
+  });
+  TriangleHit first = hit.best();
+  if (last_one.told) first.cast = last_one.cast;
+  return first;
 }
 
 void RayTarget::first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
-  if (!usable_) {
+  if (!frame().usable) {
     std::transform(rays.begin(), rays.end(), hits.begin(),
                    [&](const PreparedRay& ray) { return search_in_world(ray); });
     return;
@@ -149,7 +157,7 @@ struct RayTarget::Together {
 
 void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const {
   Together all(rays.size());
-  rays_into_tree(frame_, rays, all.ways);
+  rays_into_tree(frame(), rays, all.ways);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const RayInTree& way = all.ways[i];
     hits[i] = way.known ? TriangleHit{} : search_in_world(rays[i]);
@@ -158,7 +166,7 @@ void RayTarget::search_together(std::span<const PreparedRay> rays, std::span<Tri
     all.found.emplace_back(rays[i], way.from, way.to);
     all.number_of.push_back(i);
   }
-  walk_rays(tree_, model_.leaf_triangles_for(all.walking.size()), all.walking,
+  walk_rays(tree_, leaves_for(all.walking.size()), all.walking,
             [&](std::size_t i, std::span<const RayCandidate> candidates, bool last) {
               if (last && candidates.size() == 1) {
                 prefetch(mesh_.triangles()[candidates[0].triangle]);
@@ -188,7 +196,7 @@ void RayTarget::take_passing(Together& all, std::span<TriangleHit> hits) const {
     const PassingHit& told = all.told[next++];
     FirstHit& found = all.found[ray];
     TriangleHit& hit = hits[all.number_of[ray]];
-    const bool first = told.told && found.take({true, told.cast.lower, told.cast.upper}, candidate.triangle);
+    const bool first = told.told && found.take(time_of(told.cast), candidate.triangle);
     if (!told.told) consider(candidate, found);
     hit = found.best();
     if (first) hit.cast = told.cast;

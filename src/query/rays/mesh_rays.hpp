@@ -24,9 +24,9 @@ class RayTarget {
  public:
   explicit RayTarget(const PosedMesh& mesh);
 
-  /// A mesh at the identity, which is not posed where it need not be. The model
-  /// must outlive it.
-  explicit RayTarget(const Model& standing);
+  /// A mesh at the identity, which is not posed where it need not be, and its
+  /// leaves or null. The model must outlive it.
+  RayTarget(const Model& standing, const LeafTriangles* leaves);
 
   /// Of a ray at the surface. That there is none is proved.
   [[nodiscard]] TriangleHit first_hit(const PreparedRay& ray) const;
@@ -34,6 +34,7 @@ class RayTarget {
   void first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;
 
   [[nodiscard]] Triangle world_triangle(Index number) const;
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
  private:
   /// So many rays are searched for with the memory of one search, which stays
@@ -47,14 +48,19 @@ class RayTarget {
   void consider(const RayCandidate& candidate, Search& search) const;
   [[nodiscard]] TriangleHit search_in_world(const PreparedRay& ray) const;
 
-  RayTarget(const Model& model, const PosedMesh* posed, const WayIntoTree& way);
+  [[nodiscard]] const RayFrame& frame() const { return own_frame_ ? *own_frame_ : leaves_->at_identity; }
+  [[nodiscard]] const LeafTriangles* leaves_for(std::size_t rays) const {
+    return posed_ == nullptr ? leaves_ : model_.leaf_triangles_for(rays);
+  }
 
   const Model& model_;
   const PosedMesh* posed_;  ///< none at the identity
   const TriangleMesh& mesh_;
   const WideBvh& tree_;
-  RayFrame frame_;
-  bool usable_;  ///< the frame is; else the world is searched
+  const LeafTriangles* leaves_;  ///< at the identity, or null
+  /// Where it is not that of the leaves. What is not usable makes the world be
+  /// searched.
+  std::optional<RayFrame> own_frame_;
   bool stands_;  ///< the pose changes nothing but the sign of a zero
 };
 

@@ -11,6 +11,7 @@
 #include "query/semantics.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
+#include "toccata/query/ray_caster.hpp"
 
 namespace toccata {
 namespace {
@@ -36,10 +37,9 @@ RayHit hit_at_start(const PreparedRay& ray) {
   return hit;
 }
 
-RayHit hit_of_surface(const TriangleMesh& mesh, const RayTarget& search, const PreparedRay& ray,
-                      const TriangleHit& found) {
+RayHit hit_of_surface(const RayTarget& search, const PreparedRay& ray, const TriangleHit& found) {
   if (!found.time.hit) return {};
-  const Index face = mesh.face_of(found.triangle);
+  const Index face = search.mesh().face_of(found.triangle);
   const Cast cast = found.cast ? *found.cast : ray_hit(ray, search.world_triangle(found.triangle), found.time);
   RayHit hit = numbered(cast, found.triangle, face);
   hit.lower = found.lower;
@@ -47,9 +47,7 @@ RayHit hit_of_surface(const TriangleMesh& mesh, const RayTarget& search, const P
 }
 
 RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
-  return starts_inside(target, ray.origin)
-             ? hit_at_start(ray)
-             : hit_of_surface(target.mesh.model().mesh(), search, ray, search.first_hit(ray));
+  return starts_inside(target, ray.origin) ? hit_at_start(ray) : hit_of_surface(search, ray, search.first_hit(ray));
 }
 
 /// At a mesh at the identity: it is posed for what begins in its box alone.
@@ -58,8 +56,8 @@ RayHit hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray)
   if (as_solid && overlap(target.wide_bvh().box, Aabb{ray.origin, ray.origin}) &&
       is_interior(ray.origin, PosedMesh(target, Pose{}, name_of_target)))
     return hit_at_start(ray);
-  const RayTarget search(target);
-  return hit_of_surface(target.mesh(), search, ray, search.first_hit(ray));
+  const RayTarget search(target, target.leaf_triangles_for(1));
+  return hit_of_surface(search, ray, search.first_hit(ray));
 }
 
 /// Of many rays at one mesh.
@@ -68,9 +66,7 @@ void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<co
   std::vector<TriangleHit> found(rays.size());
   search.first_hits(rays, found);
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = starts_inside(target, rays[i].origin)
-                  ? hit_at_start(rays[i])
-                  : hit_of_surface(target.mesh.model().mesh(), search, rays[i], found[i]);
+    hits[i] = starts_inside(target, rays[i].origin) ? hit_at_start(rays[i]) : hit_of_surface(search, rays[i], found[i]);
 }
 
 void require_answered(ShapeKind target) {
@@ -117,6 +113,22 @@ RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const Pre
   if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape))
     return numbered(cast_ray(ray.origin, ray.motion, *quadric));
   return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedPolytope>(part.shape)));
+}
+
+struct RayCaster::Ready {
+  Ready(const Model& target, const Pose& pose, Solid solid) : model(target), search(model, pose, solid) {}
+  Model model;
+  RaySearch search;
+};
+
+RayCaster::RayCaster(const Model& target, const Pose& pose, Solid solid)
+    : ready_(std::make_unique<const Ready>(target, pose, solid)) {}
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+RayHit RayCaster::cast_ray(const Vec3& origin, const Vec3& motion) const {
+  return ready_->search.first_hit(PreparedRay(origin, motion));
 }
 
 RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
