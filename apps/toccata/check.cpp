@@ -36,11 +36,14 @@ struct CheckCommand : CheckArguments {
   RuleArguments rules;
   std::string baseline;  ///< a file; empty: none
   PairOrder order = PairOrder::objects;
+  ClashGrouping grouping = ClashGrouping::none;
   FailOn fail_on = FailOn::any;
   bool by_winding = false;  ///< what is inside open meshes
+  bool volume = false;
+  std::string tolerance;  ///< a length; empty: none
 
   // As they are written.
-  std::string order_word = "objects", fail_on_word = "any";
+  std::string order_word = "objects", fail_on_word = "any", group_word = "none";
 };
 
 /// Options that have nothing to do with each other, and why.
@@ -53,15 +56,16 @@ struct Refusal {
 const std::vector<Refusal>& refusals() {
   static const std::vector<Refusal> all = {
       {"--self",
-       {"--poses", "--penetration", "--clearance", "--clearance-of", "--solid", "--touching", "--rules", "--ignore",
-        "--between", "--baseline", "--sort", "--fail-on", "--junit", "--sarif", "--bcf", "--stream", "--limit-time"},
+       {"--poses",  "--penetration", "--clearance",  "--clearance-of", "--solid",     "--touching", "--rules",
+        "--ignore", "--between",     "--baseline",   "--sort",         "--fail-on",   "--junit",    "--sarif",
+        "--bcf",    "--stream",      "--limit-time", "--volume",       "--tolerance", "--group"},
        "--self asks where each object meets itself as a surface, and not about pairs"},
       {"--poses",
        {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort", "--junit",
-        "--sarif", "--bcf", "--stream", "--limit-time"},
+        "--sarif", "--bcf", "--stream", "--limit-time", "--volume", "--tolerance", "--group"},
        "--poses asks about two objects at many poses, and not about the pairs of a scene"},
       {"--stream",
-       {"--json", "--csv", "--baseline", "--sort", "--save-case"},
+       {"--json", "--csv", "--baseline", "--sort", "--group", "--save-case"},
        "--stream tells pairs as they are found, each for itself, before all are known"},
   };
   return all;
@@ -77,6 +81,7 @@ void require_company(const CLI::App& app) {
 
 /// Of the pairs that are reported. What may overlap, for all that could be decided, counts as if it did.
 bool is_failure(const ReportedPair& pair, FailOn fail_on) {
+  if (!is_clash(pair)) return false;
   switch (fail_on) {
     case FailOn::any:
       return true;
@@ -124,7 +129,12 @@ CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
   std::vector<std::string> left_out;
   question.depth = depth_options(arguments, left_out);
   warn_at_once(loaded, left_out);
-  question.rules = read_rules(arguments.rules, loaded.scene, loaded.warnings);
+  const LengthUnits units = length_units(loaded.scene, arguments.input);
+  question.rules = read_rules(arguments.rules, loaded.scene, units, loaded.warnings);
+  question.volume = arguments.volume;
+  if (!arguments.tolerance.empty())
+    question.tolerance = read_length("--tolerance", arguments.tolerance, units, Longest::finite);
+  question.grouping = arguments.grouping;
   if (!arguments.baseline.empty()) question.baseline = read_baseline(arguments.baseline, loaded.scene);
   question.order = arguments.order;
   question.by_winding = arguments.by_winding;
@@ -149,11 +159,12 @@ AlsoWritten exchange_of(const CheckCommand& arguments) {
 
 int run_check(const CheckCommand& arguments, const std::vector<std::string>& asking) {
   require_exchange(arguments);
-  const bool asks_itself = arguments.self || arguments.faces || arguments.penetration ||
-                           arguments.touching != Touching::count || !arguments.clearance.empty() ||
-                           !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
-                           !arguments.baseline.empty() || arguments.order != PairOrder::objects ||
-                           arguments.fail_on != FailOn::any || changes_objects(arguments);
+  const bool asks_itself =
+      arguments.self || arguments.faces || arguments.penetration || arguments.touching != Touching::count ||
+      !arguments.clearance.empty() || !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
+      !arguments.baseline.empty() || arguments.order != PairOrder::objects ||
+      arguments.grouping != ClashGrouping::none || arguments.volume || !arguments.tolerance.empty() ||
+      arguments.fail_on != FailOn::any || changes_objects(arguments);
   if (const auto code = answered_case(arguments,
                                       {.asks = "check",
                                        .asks_itself = asks_itself,
@@ -213,7 +224,9 @@ std::string table_of(const CheckInput& input, const CheckReport& report) {
   return check_table(input.loaded.scene, report);
 }
 
-Summary summary_of(const CheckReport& report) { return {counted(report.pairs.size(), "pair"), !report.pairs.empty()}; }
+Summary summary_of(const CheckReport& report) {
+  return {counted(report.pairs.size(), "pair"), std::any_of(report.pairs.begin(), report.pairs.end(), is_clash)};
+}
 
 std::string table_of(const CheckInput& input, const PosesReport& report) {
   const std::vector<std::string> names = table_names(input.loaded.scene.objects);
@@ -298,6 +311,12 @@ Subcommand add_check(CLI::App& app) {
       ->add_option("--time-limit", arguments->time_limit_word,
                    "seconds for the depth of each pair: then the bracket so far is told (none)")
       ->needs(penetration);
+  check->add_flag("--volume", arguments->volume,
+                  "how much volume solids have in common, between bounds; whether one passes through the other; and a "
+                  "point of both");
+  add_length(*check, "--tolerance", arguments->tolerance,
+             "overlaps that are certainly no deeper are told apart and are no clash (0.1mm); in a file of --rules also "
+             "of some pairs");
   add_clearances(*check, *arguments);
   add_rules(*check, arguments->rules);
   add_file(*check, "--baseline", arguments->baseline,
@@ -314,6 +333,11 @@ Subcommand add_check(CLI::App& app) {
                    "the order of the pairs: that of the objects, or first what overlaps, the deepest of it first where "
                    "--penetration is asked, then what touches, then what is near")
       ->check(CLI::IsMember({"objects", "severity"}))
+      ->capture_default_str();
+  check
+      ->add_option("--group", arguments->group_word,
+                   "which clashes belong together: those of one part, or those in places next to each other")
+      ->check(CLI::IsMember({"none", "part", "region"}))
       ->capture_default_str();
   check->add_flag("--self", arguments->self,
                   "each object against itself, instead of against the others: where its own faces meet");
@@ -340,6 +364,7 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check part.stl --self --faces\n"
                 "  {0} check shapes.json --penetration\n"
                 "  {0} check cell.json --clearance 2mm --clearance-of robot,table=5cm\n"
+                "  {0} check assembly.glb --tolerance 0.1mm --touching ignore --volume --group part\n"
                 "  {0} check assembly.glb --rules rules.txt --ignore 'bolt*,nut*' --touching ignore\n"
                 "  {0} check assembly.glb --baseline yesterday.json --fail-on new --sort severity --json\n"
                 "  {0} check a.stl b.stl --html report.html\n"
@@ -354,6 +379,8 @@ Subcommand add_check(CLI::App& app) {
             take_words(*arguments);
             arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
             if (arguments->order_word == "severity") arguments->order = PairOrder::severity;
+            if (arguments->group_word != "none")
+              arguments->grouping = arguments->group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
             if (arguments->fail_on_word != "any")
               arguments->fail_on = arguments->fail_on_word == "hard" ? FailOn::hard : FailOn::added;
             return run_check(*arguments, asking_options(*check));

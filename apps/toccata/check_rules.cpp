@@ -66,7 +66,8 @@ std::string text_in(const std::string& file) {
 /// Reads rules, and warns of what is about no object.
 class RuleReader {
  public:
-  RuleReader(const Scene& scene, std::vector<std::string>& warnings) : warnings_(warnings) {
+  RuleReader(const Scene& scene, const LengthUnits& units, std::vector<std::string>& warnings)
+      : units_(units), warnings_(warnings) {
     for (const SceneObject& object : scene.objects) {
       places_.emplace(object.name, names_.size());
       names_.push_back(object.name);
@@ -91,20 +92,7 @@ class RuleReader {
 
   /// `text` is what follows the word "ignore" or "between".
   void add_rule(std::vector<NameRule>& rules, std::string_view text, const std::string& place) {
-    const std::vector<std::string> words = listed(text);
-    const bool is_empty = std::find(words.begin(), words.end(), "") != words.end();
-    if (words.size() > 2 || is_empty)
-      throw Error(
-          fmt::format("{}: a rule is about one pattern or set, or two with a comma between them, and here is '{}'; a "
-                      "comma of a name is written \\,",
-                      place, text));
-    const std::string &first = words[0], second = words.size() == 2 ? words[1] : "*";
-    NameRule rule{patterns_of(first), patterns_of(second)};
-    const Members a = members_of(first, rule.a, place), b = first == second ? a : members_of(second, rule.b, place);
-    const bool is_of_one = a.one && a.is_single && b.is_single && a.one == b.one;
-    if (is_of_one) warnings_.push_back(fmt::format("{}: '{}' is a single object, and no pair", place, names_[*a.one]));
-    has_pairs_ = has_pairs_ || (&rules == &rules_.between && a.one && b.one && !is_of_one);
-    rules.push_back(std::move(rule));
+    rules.push_back(rule_of(text, place, &rules == &rules_.between));
   }
 
   NameRules& rules() { return rules_; }
@@ -117,6 +105,36 @@ class RuleReader {
   }
 
  private:
+  NameRule rule_of(std::string_view text, const std::string& place, bool is_between) {
+    const std::vector<std::string> words = listed(text);
+    const bool is_empty = std::find(words.begin(), words.end(), "") != words.end();
+    if (words.size() > 2 || is_empty)
+      throw Error(
+          fmt::format("{}: a rule is about one pattern or set, or two with a comma between them, and here is '{}'; a "
+                      "comma of a name is written \\,",
+                      place, text));
+    const std::string &first = words[0], second = words.size() == 2 ? words[1] : "*";
+    NameRule rule{patterns_of(first), patterns_of(second)};
+    const Members a = members_of(first, rule.a, place), b = first == second ? a : members_of(second, rule.b, place);
+    const bool is_of_one = a.one && a.is_single && b.is_single && a.one == b.one;
+    if (is_of_one) warnings_.push_back(fmt::format("{}: '{}' is a single object, and no pair", place, names_[*a.one]));
+    has_pairs_ = has_pairs_ || (is_between && a.one && b.one && !is_of_one);
+    return rule;
+  }
+
+  /// `text` is what follows the word "tolerance": PATTERN, PATTERN = LENGTH.
+  void add_tolerance(std::string_view text, const std::string& place) {
+    const std::size_t equals = find_plain(text, '=');
+    if (equals == std::string_view::npos || equals == 0)
+      throw Error(
+          fmt::format("{}: the tolerance is of no pairs or has no length; write `tolerance PATTERN, PATTERN = "
+                      "0.1mm`",
+                      place));
+    const double tolerance =
+        read_length(place + ": tolerance", trimmed(text.substr(equals + 1)), units_, Longest::finite);
+    rules_.tolerances.push_back({rule_of(trimmed(text.substr(0, equals)), place, false), tolerance});
+  }
+
   struct Set {
     std::vector<std::string> patterns;
     std::string place;
@@ -135,6 +153,11 @@ class RuleReader {
 
   void read_line(std::string_view line, const std::string& place) {
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    if (word == "tolerance") {
+      const std::string_view rest = trimmed(line.substr(word.size()));
+      if (rest.starts_with('=')) refuse(place, "no set is called 'tolerance'");
+      return add_tolerance(rest, place);
+    }
     if (word == "ignore" || word == "between") {
       const std::string_view rest = trimmed(line.substr(word.size()));
       if (rest.starts_with('=')) refuse(place, fmt::format("no set is called '{}'", word));
@@ -147,13 +170,15 @@ class RuleReader {
   }
 
   [[noreturn]] static void refuse(const std::string& place, const std::string& what) {
-    throw Error(fmt::format(
-        "{}: {}; write `ignore PATTERN`, `ignore PATTERN, PATTERN`, `between PATTERN, PATTERN`, or `SET = PATTERN, …`",
-        place, what));
+    throw Error(
+        fmt::format("{}: {}; write `ignore PATTERN`, `ignore PATTERN, PATTERN`, `between PATTERN, PATTERN`, "
+                    "`tolerance PATTERN, PATTERN = LENGTH`, or `SET = PATTERN, …`",
+                    place, what));
   }
 
   void define(const std::string& name, std::string_view list, const std::string& place) {
-    if (name == "ignore" || name == "between") refuse(place, fmt::format("no set is called '{}'", name));
+    if (name == "ignore" || name == "between" || name == "tolerance")
+      refuse(place, fmt::format("no set is called '{}'", name));
     if (name.empty() || name.find_first_of("*?,\\") != std::string::npos)
       throw Error(fmt::format(
           "{}: '{}' is no name of a set; write one without * ? , and \\, and = in a pattern as \\=", place, name));
@@ -201,6 +226,7 @@ class RuleReader {
       if (matches_pattern(pattern, names_[i])) members.add(i);
   }
 
+  const LengthUnits& units_;
   std::vector<std::string>& warnings_;
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> places_;  ///< of the names
@@ -232,8 +258,9 @@ void add_rules(CLI::App& app, RuleArguments& arguments) {
            "PATTERN[,PATTERN]");
 }
 
-NameRules read_rules(const RuleArguments& arguments, const Scene& scene, std::vector<std::string>& warnings) {
-  RuleReader reader(scene, warnings);
+NameRules read_rules(const RuleArguments& arguments, const Scene& scene, const LengthUnits& units,
+                     std::vector<std::string>& warnings) {
+  RuleReader reader(scene, units, warnings);
   for (const std::string& file : arguments.files) reader.read_file(file);
   for (const std::string& text : arguments.ignored)
     reader.add_rule(reader.rules().ignored, trimmed(text), "--ignore " + text);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "clearance.hpp"
 #include "toccata/reports/report.hpp"
 
 namespace CLI {
@@ -26,6 +27,7 @@ void add_rules(CLI::App& app, RuleArguments& arguments);
 /// Adds a warning for each rule and set that no object of the scene is in. Throws Error naming the file and the line,
 /// or the option, for what is no rule; and where the rules leave no pair to be checked, whatever the scene's objects
 /// are.
-NameRules read_rules(const RuleArguments& arguments, const Scene& scene, std::vector<std::string>& warnings);
+NameRules read_rules(const RuleArguments& arguments, const Scene& scene, const LengthUnits& units,
+                     std::vector<std::string>& warnings);
 
 }  // namespace toccata::command

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "table_names.hpp"
 #include "toccata/query/pairs.hpp"
@@ -37,6 +38,42 @@ std::string verb_of(const FormerPair& pair) {
   return pair.kind == RelationKind::apart ? "clearance clash" : verb_of(relation);
 }
 
+/// What a tolerance says of the pair.
+std::string tolerance_text(const ReportedPair& pair) {
+  switch (pair.tolerance) {
+    case ToleranceVerdict::within:
+      return ", within the tolerance: " + depth_text(pair.penetration->lower, pair.penetration->upper);
+    case ToleranceVerdict::beyond:
+      return ", beyond the tolerance: " + depth_text(pair.penetration->lower, pair.penetration->upper);
+    case ToleranceVerdict::undecided:
+      return pair.penetration ? ", undecided whether within the tolerance: " +
+                                    depth_text(pair.penetration->lower, pair.penetration->upper)
+                              : ", undecided whether within the tolerance: a surface has no depth";
+    case ToleranceVerdict::none:
+      break;
+  }
+  return {};
+}
+
+/// How much they have in common, and where.
+std::string volume_line(const ReportedPair& pair) {
+  if (!pair.volume) return "      no volume: one of them is a surface\n";
+  const OverlapVolume& volume = *pair.volume;
+  const std::string amount = volume.status == Status::exact
+                                 ? fmt::format("{:.6g}", volume.upper)
+                                 : fmt::format("between {:.6g} and {:.6g}", volume.lower, volume.upper);
+  return fmt::format("      volume {}{}\n", amount,
+                     pair.common_point ? ", around " + point_text(*pair.common_point) : "");
+}
+
+/// As the field calls it, where that says more than the relation.
+std::string verb_of(const ReportedPair& pair) {
+  if (pair.relation.kind == RelationKind::apart && pair.distance) return "clearance clash";
+  if (pair.kind == ClashKind::pierce) return "pierces";
+  if (pair.kind == ClashKind::protrude) return "protrudes into";
+  return verb_of(pair.relation);
+}
+
 /// How it stands against the baseline, with the relation of then where that was another.
 std::string since_text(const ReportedPair& pair, const std::string& verb) {
   const std::string since = name_of(since_baseline(pair));
@@ -44,14 +81,16 @@ std::string since_text(const ReportedPair& pair, const std::string& verb) {
   return before == verb ? since : since + " (before: " + before + ")";
 }
 
-std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair, bool has_baseline) {
+std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair,
+                                const CheckReport& report) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  const std::string verb = is_near ? "clearance clash" : verb_of(pair.relation);
+  const std::string plain = is_near ? "clearance clash" : verb_of(pair.relation);
+  const std::string verb = report.has_volume ? verb_of(pair) : plain;
   const std::string remark = pair.winding ? winding_text(*pair.winding)
                              : is_near    ? near_text(pair)
-                                          : remark_on(pair.relation);
+                                          : remark_on(pair.relation) + tolerance_text(pair);
   std::vector<std::string> row{names[pair.a], verb, names[pair.b], remark};
-  if (has_baseline) row.insert(row.begin(), since_text(pair, verb));
+  if (report.baseline) row.insert(row.begin(), since_text(pair, plain));
   return row;
 }
 
@@ -156,19 +195,58 @@ std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
   return text + element_lines(pair.manifolds) + region_lines(pair.regions);
 }
 
+/// A line for the pair, and what is told below it.
+std::string pair_text(const Scene& scene, const CheckReport& report, const std::vector<std::string>& row,
+                      const ReportedPair& pair) {
+  const bool is_apart = pair.relation.kind == RelationKind::apart;
+  std::string text = columns({row}, 2);
+  if (report.has_volume && !is_apart && pair.relation.kind != RelationKind::touching) text += volume_line(pair);
+  if (report.has_penetration) text += depth_lines(scene, pair);
+  if (report.has_faces && !is_apart) text += face_lines(pair.face_pairs);
+  return text;
+}
+
+std::string group_heading(const std::vector<std::string>& names, const ClashGroup& group) {
+  const std::string what =
+      group.part ? names[*group.part] : "at " + point_text(0.5 * group.place.lower + 0.5 * group.place.upper);
+  return fmt::format("{}: {}\n", what, counted(group.pairs.size(), "pair"));
+}
+
 std::string pair_lines(const Scene& scene, const CheckReport& report) {
   const std::vector<std::string> names = table_names(scene.objects);
   std::vector<std::vector<std::string>> rows;
-  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair, report.baseline.has_value()));
-  if (!report.has_faces && !report.has_penetration) return columns(rows, 2);
+  for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair, report));
+  const bool is_plain = !report.has_faces && !report.has_penetration && !report.has_volume;
+  const auto lines_of = [&](const std::vector<std::size_t>& pairs) {
+    std::vector<std::vector<std::string>> listed;
+    std::string text;
+    for (const std::size_t i : pairs) {
+      listed.push_back(rows[i]);
+      if (!is_plain) text += pair_text(scene, report, rows[i], report.pairs[i]);
+    }
+    return is_plain ? columns(listed, 2) : text;
+  };
   std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += columns({rows[i]}, 2);
-    if (report.has_penetration) text += depth_lines(scene, report.pairs[i]);
-    const bool is_apart = report.pairs[i].relation.kind == RelationKind::apart;
-    if (report.has_faces && !is_apart) text += face_lines(report.pairs[i].face_pairs);
-  }
-  return text;
+  for (const ClashGroup& group : report.groups) text += group_heading(names, group) + lines_of(group.pairs);
+  if (report.grouping != ClashGrouping::none) return text;
+  std::vector<std::size_t> all(rows.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return lines_of(all);
+}
+
+/// As the tolerance was understood, and how many are within it.
+std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
+  const auto count = [&](ToleranceVerdict verdict) {
+    return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
+                                                  [&](const ReportedPair& pair) { return pair.tolerance == verdict; }));
+  };
+  std::string text = fmt::format(
+      "{} within {}, by the upper bounds of their depths: no clash", counted(count(ToleranceVerdict::within), "pair"),
+      *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
+                            : std::string("their tolerances"));
+  if (const std::size_t undecided = count(ToleranceVerdict::undecided); undecided > 0)
+    text += fmt::format("; of {} that could not be decided", counted(undecided, "pair"));
+  return text + ".\n";
 }
 
 }  // namespace
@@ -229,6 +307,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
   if (report.unfinished > 0)
     text += fmt::format("Stopped: {} not looked at; what is told is right, and not all.\n",
                         counted(report.unfinished, "pair"));
+  if (report.tolerance) text += tolerance_lines(scene, report);
   if (report.left_out.value_or(0) > 0)
     text += fmt::format("{} left out by rules, not looked at.\n", counted(*report.left_out, "pair"));
   if (report.baseline) text += baseline_lines(report);

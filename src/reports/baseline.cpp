@@ -36,7 +36,8 @@ FormerPair flipped(FormerPair pair) {
 /// Of a report, and of a question, which has no more than this.
 FormerPair former_pair_of(const io::JsonValue& pair) {
   return {pair.at("a").text(), pair.at("b").text(), io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
-          io::one_named<Containment>(pair.at("containment"), containments)};
+          io::one_named<Containment>(pair.at("containment"), containments),
+          pair.text_or("tolerance", "") == name_of(ToleranceVerdict::within)};
 }
 
 /// The pairs of a baseline, and where its objects are among those of now.
@@ -104,10 +105,12 @@ void compare_with(const Baseline& baseline, const Checked& checked, CheckReport&
 }
 
 Json json_of(const FormerPair& pair) {
-  return {{"a", as_utf8(pair.a)},
-          {"b", as_utf8(pair.b)},
-          {"relation", name_of(pair.kind)},
-          {"containment", name_of(pair.containment)}};
+  Json json = {{"a", as_utf8(pair.a)},
+               {"b", as_utf8(pair.b)},
+               {"relation", name_of(pair.kind)},
+               {"containment", name_of(pair.containment)}};
+  if (pair.within_tolerance) json["tolerance"] = name_of(ToleranceVerdict::within);
+  return json;
 }
 
 Json json_of(const Baseline& baseline) {
@@ -120,7 +123,7 @@ Baseline baseline_of(const JsonValue& value) {
   value.expect_keys({"file", "pairs"});
   Baseline baseline{value.at("file").text(), {}};
   for (const JsonValue& pair : value.elements("pairs")) {
-    pair.expect_keys({"a", "b", "relation", "containment"});
+    pair.expect_keys({"a", "b", "relation", "containment", "tolerance"});
     baseline.pairs.push_back(former_pair_of(pair));
   }
   return baseline;

@@ -48,6 +48,27 @@ bool counts_as_contact(const Relation& relation, Touching touching) {
          relation.status != Status::exact;
 }
 
+namespace {
+
+/// Where two objects meet or are nearest.
+Aabb meeting_place(const PairAnswer& pair) {
+  Aabb place;
+  for (const ContactRegion& region : pair.regions) place = merge(place, region.box);
+  if (pair.manifold)
+    for (int i = 0; i < pair.manifold->count; ++i)
+      place = merge(place, pair.manifold->points[static_cast<std::size_t>(i)].position);
+  for (const ContactManifold& one : pair.manifolds)
+    for (int i = 0; i < one.manifold.count; ++i)
+      place = merge(place, one.manifold.points[static_cast<std::size_t>(i)].position);
+  if (pair.common_point) place = merge(place, *pair.common_point);
+  if (is_empty(place)) place = pair.common_box;
+  if (pair.relation.kind == RelationKind::apart && pair.distance)
+    place = merge(merge(Aabb{}, pair.distance->on_a), pair.distance->on_b);
+  return place;
+}
+
+}  // namespace
+
 CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                               const ReportOptions& options) {
   const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
@@ -57,6 +78,8 @@ CheckReport make_check_report(std::span<const SceneInstance> models, const Check
   report.has_penetration = options.penetration;
   if (asks_clearance) report.clearance = options.clearance.value_or(0);
   report.pair_clearances = options.pair_clearances;
+  report.has_volume = options.volume;
+  if (options.tolerance || !options.rules.tolerances.empty()) report.tolerance = options.tolerance.value_or(0);
   for (const PairAnswer& pair : answer.pairs) {
     const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
     if (!is_near && !counts_as_contact(pair.relation, options.touching)) {
@@ -74,6 +97,11 @@ CheckReport make_check_report(std::span<const SceneInstance> models, const Check
     reported.manifolds = pair.manifolds;
     reported.regions = pair.regions;
     reported.distance = pair.distance;
+    reported.kind = pair.kind;
+    reported.tolerance = pair.tolerance;
+    reported.volume = pair.volume;
+    reported.common_point = pair.common_point;
+    reported.place = meeting_place(pair);
   }
   return report;
 }

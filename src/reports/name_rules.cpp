@@ -149,5 +149,22 @@ PairFilter wanted_pairs(const NameRules& rules, std::span<const SceneInstance> m
   };
 }
 
+PairTolerances tolerances_of(const NameRules& rules, std::span<const SceneInstance> models) {
+  if (rules.tolerances.empty()) return {};
+  struct Told {
+    RuleMembers members;
+    double tolerance;
+  };
+  const Names names(models);
+  const auto all = std::make_shared<std::vector<Told>>();
+  for (const ToleranceRule& rule : rules.tolerances)
+    all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.tolerance});
+  return [all](const IndexPair& pair) -> std::optional<double> {
+    const auto found =
+        std::find_if(all->rbegin(), all->rend(), [&](const Told& told) { return told.members.contain(pair); });
+    return found == all->rend() ? std::nullopt : std::optional(found->tolerance);
+  };
+}
+
 }  // namespace io
 }  // namespace toccata

@@ -12,6 +12,7 @@ std::tuple<int, double> severity_of(const ReportedPair& pair) {
   if (pair.relation.kind == RelationKind::apart) return {3, pair.distance ? pair.distance->lower : 0};
   if (pair.relation.kind == RelationKind::touching)
     return {counts_as_contact(pair.relation, Touching::ignore) ? 1 : 2, 0};
+  if (!is_clash(pair)) return {4, 0};
   return {0, pair.penetration ? -pair.penetration->upper : -std::numeric_limits<double>::infinity()};
 }
 

@@ -72,8 +72,11 @@ void add_depth_options(Json& json, const DepthOptions& depth) {
 }
 
 DepthOptions depth_options_of(const JsonValue& question) {
+  return depth_options_of(question, question.flag_or("penetration", false));
+}
+
+DepthOptions depth_options_of(const JsonValue& question, bool is_asked) {
   DepthOptions depth;
-  const bool is_asked = question.flag_or("penetration", false);
   const auto take = [&](const char* key, double& number, const char* advice) {
     if (!question.has(key)) return;
     if (!is_asked)

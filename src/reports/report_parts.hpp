@@ -34,6 +34,7 @@ void add_depth_options(Json& json, const DepthOptions& depth);
 /// Of a question that says nothing of it as it was before one could: 2 %. Throws where it says so, and asks for no
 /// depths.
 [[nodiscard]] DepthOptions depth_options_of(const JsonValue& question);
+[[nodiscard]] DepthOptions depth_options_of(const JsonValue& question, bool is_asked);
 [[nodiscard]] Json json_of(const Manifold& manifold);
 [[nodiscard]] Json json_of(const std::vector<ContactManifold>& manifolds);
 [[nodiscard]] Json json_of(const ContactRegion& region);

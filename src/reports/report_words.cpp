@@ -3,9 +3,10 @@
 namespace toccata {
 namespace {
 
-int gravity_of(RelationKind kind) {
+/// What is within its tolerance is no graver than what touches.
+int gravity_of(RelationKind kind, bool within_tolerance) {
   if (kind == RelationKind::apart) return 0;
-  return kind == RelationKind::touching ? 1 : 2;
+  return kind == RelationKind::touching || within_tolerance ? 1 : 2;
 }
 
 }  // namespace
@@ -112,7 +113,59 @@ std::string remark_on(const Relation& relation) {
 
 Since since_baseline(const ReportedPair& pair) {
   if (!pair.was) return Since::added;
-  return gravity_of(pair.relation.kind) > gravity_of(pair.was->kind) ? Since::graver : Since::known;
+  const int now = gravity_of(pair.relation.kind, !is_clash(pair)),
+            then = gravity_of(pair.was->kind, pair.was->within_tolerance);
+  return now > then ? Since::graver : Since::known;
+}
+
+bool is_clash(const ReportedPair& pair) { return pair.tolerance != ToleranceVerdict::within; }
+
+std::string name_of(ClashKind kind) {
+  switch (kind) {
+    case ClashKind::clearance:
+      return "clearance";
+    case ClashKind::touching:
+      return "touching";
+    case ClashKind::crossing:
+      return "crossing";
+    case ClashKind::overlap:
+      return "overlap";
+    case ClashKind::protrude:
+      return "protrude";
+    case ClashKind::pierce:
+      return "pierce";
+    case ClashKind::contains:
+      return "contains";
+    case ClashKind::equal:
+      return "equal";
+  }
+  return {};
+}
+
+std::string name_of(ToleranceVerdict verdict) {
+  switch (verdict) {
+    case ToleranceVerdict::none:
+      return "none";
+    case ToleranceVerdict::within:
+      return "within";
+    case ToleranceVerdict::beyond:
+      return "beyond";
+    case ToleranceVerdict::undecided:
+      return "undecided";
+  }
+  return {};
+}
+
+std::string name_of(ClashGrouping grouping) {
+  switch (grouping) {
+    case ClashGrouping::none:
+      return "none";
+    case ClashGrouping::part:
+      return "part";
+    case ClashGrouping::region:
+      return "region";
+  }
+  return {};
 }
 
 std::string name_of(Since since) {

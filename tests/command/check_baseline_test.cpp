@@ -110,7 +110,8 @@ TEST_F(CheckBaseline, IsToldInTheTableAndInCsv) {
             "Since old.json: 1 new, 1 graver, 0 known, 1 gone.\n");
   EXPECT_EQ(check(moved, {"--baseline", "old.json", "--csv"}).out,
             "a,b,relation,containment,side_unresolved,status,baseline,was_relation,was_containment\n"
-            "b,c,overlapping,none,false,exact,graver,touching,none\nc,ü,overlapping,none,false,exact,new,,\n");
+            "b,c,overlapping,none,false,exact,graver,touching,none\nc,ü,overlapping,none,false,exact,new,,\n"
+            "a,b,apart,,,,gone,overlapping,none\n");
 }
 
 TEST_F(CheckBaseline, DecidesTheExitCodeWhereThatIsAsked) {

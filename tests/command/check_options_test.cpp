@@ -41,6 +41,9 @@ const std::map<std::string, Words>& samples() {
                                                    {"--baseline", {"--baseline", "old.json"}},
                                                    {"--fail-on", {"--fail-on", "hard"}},
                                                    {"--sort", {"--sort", "severity"}},
+                                                   {"--group", {"--group", "part"}},
+                                                   {"--tolerance", {"--tolerance", "0.5"}},
+                                                   {"--volume", {"--volume"}},
                                                    {"--self", {"--self"}},
                                                    {"--faces", {"--faces"}},
                                                    {"--names", {}},   // another file than the two
@@ -125,7 +128,9 @@ TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
       {"--penetration", "--self"},   {"--pose-a", "--poses"},      {"--pose-b", "--poses"},
       {"--poses", "--rules"},        {"--poses", "--self"},        {"--poses", "--sort"},
       {"--precision", "--self"},     {"--rules", "--self"},        {"--self", "--solid"},
-      {"--self", "--sort"},          {"--self", "--time-limit"},   {"--self", "--touching"}};
+      {"--self", "--sort"},          {"--self", "--time-limit"},   {"--self", "--touching"},
+      {"--group", "--poses"},        {"--group", "--self"},        {"--poses", "--tolerance"},
+      {"--self", "--tolerance"},     {"--poses", "--volume"},      {"--self", "--volume"}};
   std::size_t pairs = 0;
   for (auto one = samples().begin(); one != samples().end(); ++one)
     for (auto other = std::next(one); other != samples().end(); ++other) {
@@ -144,12 +149,13 @@ TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
       }
       ++pairs;
     }
-  EXPECT_EQ(pairs, 35U * 34 / 2);
+  EXPECT_EQ(pairs, 38U * 37 / 2);
 }
 
 TEST_F(CheckOptionsTogether, WhatIsGivenTwiceIsTroubleUnlessItMayBeRepeated) {
   const std::set<std::string> repeatable = {"--clearance-of", "--rules", "--ignore", "--between"};
-  const std::set<std::string> flags = {"--penetration", "--self", "--faces", "--json", "--csv", "--split", "--stream"};
+  const std::set<std::string> flags = {"--penetration", "--self",  "--faces",  "--json",
+                                       "--csv",         "--split", "--stream", "--volume"};
   for (const auto& [option, words] : samples()) {
     if (words.empty() || words[0] != option || flags.contains(option)) continue;
     const int code = check(words, words).exit_code;

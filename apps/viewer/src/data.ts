@@ -98,6 +98,7 @@ export interface Words {
   fault?: string; // of `inspect`: what kind, how many, and how many places are told together
   count?: number;
   groups?: number;
+  place?: [Vec, Vec]; // of a pair: the corners of the box in which the two meet or are nearest, in the world
 }
 
 export interface Header {
@@ -147,8 +148,40 @@ export interface Pair {
   status: string;
   penetration?: Penetration | null;
   manifold?: { normal: Vec; points: { position: Vec; depth: number }[] } | null;
-  regions?: { area: number; depth: number | null; depth_upper: number | null; face_pairs: number }[];
+  regions?: Region[];
   distance?: Distance;
+  baseline?: 'new' | 'known' | 'graver';
+  was?: { relation: string; containment: string };
+  kind?: string;
+  volume?: { lower: number; upper: number; status: string } | null;
+  point?: Vec | null;
+  tolerance?: 'within' | 'beyond' | 'undecided';
+}
+
+/// One place at which two meshes meet.
+export interface Region {
+  area: number;
+  depth: number | null;
+  depth_upper: number | null;
+  face_pairs: number;
+  lower?: Vec;
+  upper?: Vec;
+  normal?: Vec;
+}
+
+/// A pair of the baseline that is no longer told.
+export interface GonePair {
+  a: string;
+  b: string;
+  relation: string;
+  containment: string;
+  reason: string;
+}
+
+/// Clashes that belong together, by their places in `pairs`.
+export interface ClashGroup {
+  part?: string;
+  pairs: number[];
 }
 
 /// Of `--poses`; of distances it is one itself.
@@ -288,6 +321,8 @@ export interface Report {
   warnings: string[];
   objects: ReportObject[];
   pairs?: Pair[];
+  baseline?: { file: string; gone: GonePair[] };
+  groups?: ClashGroup[];
   queries?: PosesQuery[];
   self_contacts?: SelfContacts[];
   rays?: Ray[];

@@ -1,6 +1,6 @@
 // What the page lists: a finding for each entry of the report, whatever was asked. Every sentence is put together here,
 // of the engine's words and numbers; nothing is computed but how a number is written.
-import type { Distance, Header, Pair, PageData, Penetration, Report, WorldPair } from './data';
+import type { Distance, GonePair, Header, Pair, PageData, Penetration, Region, Report, Vec, WorldPair } from './data';
 import { ofInspected } from './inspected';
 import { ofParts, ofSubdivided, ofSum } from './made';
 import { ofCosts, ofTrees } from './measured';
@@ -23,6 +23,11 @@ export interface Finding {
   size: number;
   poses?: [number[], number[]]; // where A and B are in it
   moment?: number; // at which it is there, and listed
+  place?: [Vec, Vec]; // in the world: what is looked at when it is chosen
+  regions?: [Vec, Vec][]; // boxes around the places of which it consists
+  kind?: string; // by which it is grouped
+  since?: string; // the baseline
+  subdued?: boolean; // no clash any more, or none by the tolerance
 }
 
 export type Order = 'deepest' | 'largest' | 'nearest' | 'listed';
@@ -79,38 +84,110 @@ function numberOf(unit: string, distance: Distance | undefined, depth: Penetrati
 
 const together = (...words: string[]) => words.filter((word) => word !== '').join(' · ');
 
+/// How deep and large the first few places are.
+function regionFacts(regions: Region[], unit: string): Part[][] {
+  const few = 3;
+  const facts = regions.slice(0, few).map((region, i): Part[] => {
+    const deep = region.depth_upper ? `, ${numberText(region.depth ?? 0)} to ${lengthText(region.depth_upper, unit)} deep` : '';
+    return [`place ${i + 1} of ${regions.length}: area ${numberText(region.area)}${deep}`];
+  });
+  return regions.length > few ? [...facts, [`and ${countText(regions.length - few, 'more place')}`]] : facts;
+}
+
+function volumeFacts({ volume, point }: Pair, unit: string): Part[][] {
+  if (!volume) return [];
+  const cubed = unit === 'unit' ? '' : ` ${unit}³`;
+  const amount = volume.status === 'exact' ? numberText(volume.upper) : `${numberText(volume.lower)} to ${numberText(volume.upper)}`;
+  return [[`volume in common ${amount}${cubed}`], ...(point ? [[`around ${vectorText(point)}`]] : [])];
+}
+
+const toleranceWords = { within: 'within the tolerance', beyond: 'beyond the tolerance', undecided: 'undecided whether within the tolerance' };
+
+/// As the field calls it.
+function kindOf(pair: Pair): string {
+  if (pair.tolerance === 'within') return 'within tolerance';
+  if (pair.kind) return pair.kind;
+  if (pair.relation === 'apart') return 'clearance';
+  if (pair.relation === 'touching') return 'touching';
+  return pair.containment === 'none' ? 'hard' : pair.containment === 'equal' ? 'equal' : 'contains';
+}
+
+const kindVerbs: Record<string, string> = { pierce: 'pierces', protrude: 'protrudes into' };
+
+const reasons: Record<string, string> = {
+  apart: 'no clash now',
+  touching: 'now merely touching, ignored as asked',
+  left_out: 'not checked now',
+  no_object: 'not in the files now',
+};
+
+/// A clash of the baseline that is gone.
+function ofGone(pair: GonePair, report: Report): Finding {
+  const object = (name: string): Part => {
+    const found = report.objects.findIndex((one) => one.name === name);
+    return found < 0 ? name : { object: found };
+  };
+  const [a, b] = [object(pair.a), object(pair.b)];
+  const index = (part: Part) => (typeof part === 'string' ? undefined : part.object);
+  const why = reasons[pair.reason] ?? pair.reason;
+  return {
+    row: [a, ' – ', b], what: `gone · ${why}`, sentence: [a, ' and ', b, `: gone since the baseline, ${why}.`], facts: [],
+    a: index(a), b: index(b), ...plain, gap: Infinity, depth: -1, kind: 'gone', since: 'gone', subdued: true,
+  };
+}
+
 /// `check`.
 function ofPairs({ header, report }: PageData): Findings {
   const methods = new Methods(header);
   const pairs = report.pairs ?? [];
   const all = pairs.map((pair, i): Finding => {
-    const { verb = '', remark = '' } = header.words[i];
+    const { verb: plainVerb = '', remark = '', place } = header.words[i];
+    const verb = kindVerbs[pair.kind ?? ''] ?? plainVerb;
     const [a, b] = [pair.a_index, pair.b_index];
     const faces = facesText(header, report, pair, i);
     const near = pair.relation === 'apart';
     const number = numberOf(report.unit, pair.distance, pair.penetration) || faces;
     const facts = [...distanceFacts(pair.distance, report.unit), ...depthFacts(pair.penetration, report.unit)];
     if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
-    if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')]);
+    facts.push(...volumeFacts(pair, report.unit));
+    if (pair.tolerance) facts.push([toleranceWords[pair.tolerance]]);
+    if (pair.baseline) facts.push([`since the baseline: ${pair.baseline}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
+    if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, report.unit));
     if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
     return {
       row: [{ object: a }, ' – ', { object: b }],
-      what: number ? together(near ? 'near' : verb, number) : verb,
+      what: together(pair.baseline && pair.baseline !== 'known' ? pair.baseline : '', number ? together(near ? 'near' : verb, number) : verb, pair.tolerance === 'within' ? 'within tolerance' : ''),
       sentence: [{ object: a }, ` ${verb} `, { object: b }, ` ${remark}.`],
       facts: [...facts, ...methods.facts(i, pair.status, pair.penetration, pair.distance)],
-      a, b, outer: outerOf(pair.containment, a, b), counts: !near,
+      a, b, outer: outerOf(pair.containment, a, b), counts: !near && pair.tolerance !== 'within',
+      place, regions: boxesOf(pair.regions), kind: kindOf(pair), since: pair.baseline, subdued: pair.tolerance === 'within',
       depth: depthOf(pair.penetration), gap: near ? (pair.distance?.upper ?? Infinity) : 0, size: header.words[i].face_pairs ?? 0,
     };
   });
   if (report.objects.length < 2) return ofNoQuestion({ header, report });
-  const near = all.filter((finding) => !finding.counts).length;
-  const contacts = `Contacts ${counted(all.length - near)}`;
+  const within = pairs.filter((pair) => pair.tolerance === 'within').length;
+  const near = all.filter((finding) => !finding.counts).length - within;
+  const contacts = `Contacts ${counted(all.length - near - within)}`;
+  const gone = (report.baseline?.gone ?? []).map((pair) => ofGone(pair, report));
   return {
-    all,
+    all: [...all, ...gone],
     name: near > 0 ? `${contacts} · near ${counted(near)}` : contacts,
-    summary: [`${countText(all.length - near, 'pair')} in contact`, ...(near > 0 ? [`${countText(near, 'pair')} near`] : [])],
+    summary: [
+      `${countText(all.length - near - within, 'pair')} in contact`,
+      ...(near > 0 ? [`${countText(near, 'pair')} near`] : []),
+      ...(within > 0 ? [`${counted(within)} within tolerance`] : []),
+      ...(report.baseline ? [sinceText(pairs, gone.length)] : []),
+    ],
     none: 'Nothing collides.', orders: ['deepest', 'largest', 'nearest', 'listed'], shown: ['contact'],
   };
+}
+
+const boxesOf = (regions: Region[] | undefined) =>
+  regions?.flatMap(({ lower, upper }): [Vec, Vec][] => (lower && upper ? [[lower, upper]] : []));
+
+function sinceText(pairs: Pair[], gone: number): string {
+  const count = (since: string) => pairs.filter((pair) => pair.baseline === since).length;
+  return `since the baseline ${count('new')} new, ${count('graver')} graver, ${count('known')} known, ${gone} gone`;
 }
 
 /// Where there is nothing that could collide, the page is about what can be looked at.

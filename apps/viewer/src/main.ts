@@ -9,8 +9,11 @@ const keys: [string, string, string][] = [
   ['n', 'N', 'next in the list'],
   ['p', 'P', 'previous in the list'],
   ['Escape', 'Esc', 'back to all'],
-  ['f', 'F', 'show everything, or what is chosen'],
+  ['f', 'F', 'show everything; of what is chosen the place, then the pair'],
   ['1', '1 2 3', 'look along X, Y, Z'],
+  ['c', 'C', 'cut with a plane, or no longer'],
+  ['m', 'M', 'measure between two points, or no longer'],
+  ['/', '/', 'filter the list'],
   ['g', 'G', 'the rest as ghosts, shown or hidden'],
   ['x', 'X', 'see through the objects'],
   ['r', 'R', 'ground grid'],
@@ -35,7 +38,13 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
   const along = { x: [0, 0], y: isUp === 'z' ? [-Math.PI / 2, 0] : [-Math.PI / 2, 9], z: isUp === 'z' ? [-Math.PI / 2, 9] : [-Math.PI / 2, 0] };
   const look = (axis: 'x' | 'y' | 'z') => () => stage.orbit.look(along[axis][0], along[axis][1]);
   return {
-    fit: () => viewer.frame(),
+    fit: () => (viewer.state.finding === undefined ? viewer.frame() : viewer.fit()),
+    cut: () => viewer.toggleSection(),
+    measure: () => viewer.toggleMeasure(),
+    'section-flip': () => viewer.cut({ flipped: !viewer.section?.flipped }),
+    'save-review': () => viewer.saveReview(),
+    'open-review': () => element<HTMLInputElement>('review-file').click(),
+    'find-clash': () => element('clash-filter').focus(),
     'view-x': look('x'),
     'view-y': look('y'),
     'view-z': look('z'),
@@ -62,7 +71,7 @@ function actionsOf(viewer: Viewer): Record<string, () => void> {
 const actionOfKey: Record<string, string> = {
   n: 'next', j: 'next', p: 'previous', k: 'previous', Escape: 'leave', f: 'fit', '1': 'view-x', '2': 'view-y', '3': 'view-z',
   g: 'rest', x: 'through', r: 'grid', b: 'labels', h: 'panels', t: 'theme', s: 'picture', l: 'link', '?': 'help',
-  ' ': 'play', ',': 'before', '.': 'after',
+  c: 'cut', m: 'measure', '/': 'find-clash', ' ': 'play', ',': 'before', '.': 'after',
 };
 
 /// Arrows and zoom. Whether the key was one of them.
@@ -78,6 +87,28 @@ function steer(viewer: Viewer, key: string, moves: boolean): boolean {
   return true;
 }
 
+/// A click is a press that does not drag.
+function listenToTools(viewer: Viewer, canvas: HTMLElement): void {
+  let pressed = { x: 0, y: 0 };
+  canvas.addEventListener('pointerdown', (event) => (pressed = { x: event.clientX, y: event.clientY }));
+  canvas.addEventListener('pointerup', (event) => {
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < 4) viewer.measureAt(event.clientX, event.clientY);
+  });
+  const axis = element<HTMLSelectElement>('section-axis');
+  axis.onchange = () => viewer.cut({ axis: Number(axis.value) as 0 | 1 | 2 });
+  const at = element<HTMLInputElement>('section-at');
+  at.oninput = () => viewer.cut({ share: Number(at.value) / 1000 });
+  const file = element<HTMLInputElement>('review-file');
+  file.onchange = () => {
+    const [chosen] = file.files ?? [];
+    if (chosen) void chosen.text().then((text) => viewer.openReview(text));
+    file.value = ''; // so that the same file can be opened again
+  };
+  window.addEventListener('beforeunload', (event) => {
+    if (viewer.review.changed) event.preventDefault();
+  });
+}
+
 function listen(viewer: Viewer): void {
   const actions = actionsOf(viewer);
   for (const [id, action] of Object.entries(actions)) document.getElementById(id)?.addEventListener('click', action);
@@ -88,6 +119,7 @@ function listen(viewer: Viewer): void {
     viewer.stage.orbit.place.target.copy(hit.point);
     viewer.stage.orbit.zoom(0.5);
   });
+  listenToTools(viewer, canvas);
   canvas.addEventListener('pointermove', (event) => {
     if (event.buttons === 0) viewer.hover(event.clientX, event.clientY);
   });

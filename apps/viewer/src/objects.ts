@@ -142,8 +142,8 @@ export class Objects {
     }
   }
 
-  /// The object under a ray, and where; objects that are shown before ghosts.
-  hit(ray: Raycaster): { object: number; point: Vector3 } | undefined {
+  /// The object under a ray, and where; objects that are shown before ghosts. What is cut away is not there.
+  hit(ray: Raycaster, isThere: (point: Vector3) => boolean = () => true): { object: number; point: Vector3 } | undefined {
     for (const part of ['shown', 'ghost'] as const) {
       let best: { object: number; point: Vector3; distance: number } | undefined;
       for (const drawings of this.drawings) {
@@ -151,7 +151,7 @@ export class Objects {
         if (!drawing.drawn.visible) continue;
         drawing.prepareRays();
         for (const found of ray.intersectObject(drawing.drawn, false))
-          if (!best || found.distance < best.distance) best = { object: drawing.objectAt(found), point: found.point, distance: found.distance };
+          if (isThere(found.point) && (!best || found.distance < best.distance)) best = { object: drawing.objectAt(found), point: found.point, distance: found.distance };
       }
       if (best) return best;
     }

@@ -1,6 +1,8 @@
 // The lists at the side and the sentence below. Names are untrusted: they are only ever set as text.
+import { ClashList, groupings, offeredGroupings, type Grouping, type Listed } from './clash_list';
 import type { PageData } from './data';
 import { sorted, textOf, type Finding, type Findings, type Order, type Part } from './findings';
+import { statuses, type Review, type ReviewStatus } from './review';
 import type { State } from './state';
 import { isDim, isSetFor, Tree, type Row } from './tree';
 import { isolated } from './visible';
@@ -71,14 +73,21 @@ const tabs = ['findings', 'objects'];
 export class Panels {
   private order: number[] = [];
   private readonly tree: Tree;
+  private readonly list: ClashList;
+  private readonly hasReview: boolean;
 
   constructor(
     private readonly data: PageData,
     private readonly findings: Findings,
     private readonly state: State,
+    private readonly review: Review,
     private readonly actions: Actions,
   ) {
     this.tree = new Tree(data);
+    this.list = new ClashList(data.report, findings.all, review);
+    this.hasReview = data.report.schema.startsWith('toccata/check/') && findings.all.length > 0;
+    this.offerGroupings();
+    this.listenToReview();
     for (const tab of tabs) {
       element(`tab-${tab}`).onclick = () => this.open(tab);
       element(`tab-${tab}`).onkeydown = (event) => this.goToTab(event);
@@ -94,6 +103,61 @@ export class Panels {
     this.open(findings.all.length > 0 ? 'findings' : 'objects');
   }
 
+  private offerGroupings(): void {
+    const offered = offeredGroupings(this.data, this.findings.all);
+    const select = element<HTMLSelectElement>('grouping');
+    for (const grouping of offered) {
+      const option = make('option', groupings[grouping]);
+      option.value = grouping;
+      select.append(option);
+    }
+    select.value = this.list.grouping;
+    select.onchange = () => {
+      this.list.grouping = select.value as Grouping;
+      this.listFindings();
+    };
+    element('clash-tools').hidden = offered.length === 0;
+    element('review-bar').hidden = !this.hasReview;
+    const filter = element<HTMLInputElement>('clash-filter');
+    filter.oninput = () => {
+      this.list.filter = filter.value;
+      this.listFindings();
+    };
+  }
+
+  /// What is said of the chosen clash.
+  private listenToReview(): void {
+    const status = element<HTMLSelectElement>('review-status');
+    for (const one of statuses) status.append(make('option', one));
+    const comment = element<HTMLTextAreaElement>('review-comment');
+    const say = () => {
+      const names = this.chosenNames();
+      if (!names) return;
+      this.review.set({ ...names, status: status.value as ReviewStatus, comment: comment.value.trim() });
+      element('review-told').textContent = 'not saved yet';
+      this.listFindings();
+    };
+    status.onchange = say;
+    comment.onchange = say;
+  }
+
+  private chosenNames(): { a: string; b: string } | undefined {
+    const finding = this.state.finding === undefined ? undefined : this.findings.all[this.state.finding];
+    if (finding?.a === undefined || finding.b === undefined) return undefined;
+    const { objects } = this.data.report;
+    return { a: objects[finding.a].name, b: objects[finding.b].name };
+  }
+
+  private showReview(): void {
+    const names = this.chosenNames();
+    element('review').hidden = !names || !this.hasReview;
+    if (!names) return;
+    const remark = this.review.of(names.a, names.b);
+    element<HTMLSelectElement>('review-status').value = remark.status;
+    const comment = element<HTMLTextAreaElement>('review-comment');
+    if (document.activeElement !== comment) comment.value = remark.comment;
+  }
+
   private offerOrders(): void {
     const select = element<HTMLSelectElement>('order');
     for (const order of this.findings.orders) {
@@ -101,7 +165,7 @@ export class Panels {
       option.value = order;
       select.append(option);
     }
-    select.parentElement!.hidden = this.findings.orders.length < 2;
+    element('sorting').hidden = this.findings.orders.length < 2;
     select.onchange = () => {
       this.state.order = select.value as Order;
       this.listFindings();
@@ -161,21 +225,34 @@ export class Panels {
     const { orders, all, none } = this.findings;
     const order = this.state.order && orders.includes(this.state.order) ? this.state.order : orders[0];
     element<HTMLSelectElement>('order').value = order;
-    this.order = sorted(all, order, this.state.moment);
-    fillList(element('finding-list'), this.order, (finding) => this.findingRow(finding), none);
+    const listed = this.list.listed(sorted(all, order, this.state.moment));
+    this.order = listed.flatMap(({ finding }) => (finding === undefined ? [] : [finding]));
+    const nothing = all.length > 0 && this.list.filter !== '' ? 'Nothing in the list holds these words.' : none;
+    fillList(element('finding-list'), listed, (row) => this.listRow(row), nothing);
     this.markFinding();
+  }
+
+  private listRow({ heading, finding }: Listed): HTMLElement {
+    return finding === undefined ? make('li', heading, 'heading') : this.findingRow(finding);
   }
 
   private findingRow(index: number): HTMLElement {
     const finding = this.findings.all[index];
-    const item = make('li');
+    const item = make('li', '', finding.subdued ? 'dim' : '');
     item.dataset.finding = String(index);
     const row = make('button', '', 'row');
-    row.append(this.filled(make('span'), finding.row, finding), make('span', finding.what, 'what'));
+    row.append(this.filled(make('span'), finding.row, finding), make('span', [finding.what, ...this.saidOf(finding)].join(' · '), 'what'));
     row.title = textOf(finding.sentence, (object) => isolated(this.data.report.objects[object].name));
     row.onclick = () => this.actions.choose(index);
     item.append(row);
     return item;
+  }
+
+  private saidOf({ a, b }: Finding): string[] {
+    if (a === undefined || b === undefined) return [];
+    const { objects } = this.data.report;
+    const { status, comment } = this.review.of(objects[a].name, objects[b].name);
+    return [...(status === 'open' ? [] : [status]), ...(comment ? [comment] : [])];
   }
 
   markFinding(): void {
@@ -192,6 +269,7 @@ export class Panels {
   private tell(): void {
     const index = this.state.finding;
     element('found').hidden = index === undefined;
+    this.showReview();
     if (index === undefined) return;
     const finding = this.findings.all[index];
     const sentence = element('sentence');

@@ -1,5 +1,5 @@
 // The picture: objects, layers, axes and grid, drawn only when something changed.
-import { Color, DirectionalLight, Group, HemisphereLight, Object3D, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Box3 } from 'three';
+import { Color, DirectionalLight, Group, HemisphereLight, Object3D, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Box3 } from 'three';
 import { Orbit } from './camera';
 import type { Theme } from './colours';
 import { gridLines } from './grid';
@@ -79,6 +79,15 @@ export class Stage {
     this.redraw();
   }
 
+  /// Cuts away what is on the other side; without a plane nothing.
+  setSection(plane: Plane | undefined): void {
+    this.section = plane;
+    this.renderer.clippingPlanes = plane ? [plane] : [];
+    this.redraw();
+  }
+
+  private section: Plane | undefined;
+
   setTheme(theme: Theme, withGrid: boolean): void {
     this.scene.background = new Color(theme.background);
     if (this.grid) discard(this.grid);
@@ -104,7 +113,7 @@ export class Stage {
 
   /// What lies under a place of the page.
   hit(x: number, y: number): { object: number; point: Vector3 } | undefined {
-    return this.objects.hit(this.rayAt(x, y));
+    return this.objects.hit(this.rayAt(x, y), (point) => !this.section || this.section.distanceToPoint(point) >= 0);
   }
 
   rayAt(x: number, y: number): Raycaster {

@@ -1,15 +1,18 @@
 // What the reader sees follows from the state: every action changes the state and calls `show`.
 import { Box3, Object3D, Vector3 } from 'three';
 import { bodyColours, objectA, objectB, themes, touchedColour, untouched } from './colours';
-import type { HierarchyLayer, Layer, LayerStep, PageData } from './data';
+import type { HierarchyLayer, Layer, LayerStep, PageData, Vec } from './data';
 import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
 import { findingsOf, type Finding, type Findings } from './findings';
 import { draw, merged, points, roleColour, segments } from './layers';
 import { Marks, type Mark } from './marks';
+import { Measure } from './measure';
+import { Review } from './review';
+import { planeOf, type Section } from './section';
 import { Objects, type Appearance } from './objects';
 import { Motion } from './motion';
 import { boxOfBodies } from './moving';
-import { element, Panels } from './panels';
+import { element, make, Panels } from './panels';
 import { isSetFor } from './tree';
 import { LayerPanel } from './layer_panel';
 import { Stage } from './stage';
@@ -35,6 +38,19 @@ function firstStep({ kind, steps = [] }: Layer): number {
   return Math.max(0, few - 1);
 }
 
+/// Ends of the twelve edges of a box, three numbers each.
+function edgesOf(box: Box3): number[] {
+  const corners = cornersOf(box);
+  const ends: number[] = [];
+  for (let i = 0; i < 8; ++i)
+    for (const bit of [1, 2, 4]) if ((i & bit) === 0) ends.push(...corners[i].toArray(), ...corners[i | bit].toArray());
+  return ends;
+}
+
+function cornersOf({ min, max }: Box3): Vector3[] {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((i) => new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z));
+}
+
 const objectsOf = ({ a, b }: Finding) => [...new Set([a, b])].filter((object): object is number => object !== undefined);
 
 export class Viewer {
@@ -53,6 +69,10 @@ export class Viewer {
   private meeting = new Set<number>(); // at this moment
   private levels: DrawnLevel[] = [];
   private litNode = -1;
+  readonly review = new Review();
+  readonly measure: Measure;
+  section: Section | undefined;
+  private isCloseUp = true; // the place of what is chosen is framed, and not its objects
 
   constructor(readonly data: PageData) {
     const { header, report } = data;
@@ -68,7 +88,8 @@ export class Viewer {
     this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
     this.marks = new Marks(this.stage, header, report.unit);
     this.layerPanel = new LayerPanel(data, this.findings, this.state, () => this.show());
-    this.panels = new Panels(data, this.findings, this.state, {
+    this.measure = new Measure(header, report.unit);
+    this.panels = new Panels(data, this.findings, this.state, this.review, {
       choose: (finding) => this.choose(finding),
       focus: (objects) => this.stage.frameBox(this.boxAround(objects)),
       toggle: (objects, what) => this.toggle(objects, what),
@@ -178,9 +199,96 @@ export class Viewer {
     this.objects.show(looks, theme.ghost);
     this.stage.setTheme(theme, state.grid);
     this.layerPanel.show();
-    this.stage.setOverlays(this.overlays());
-    this.marks.set(state.labels ? this.labels() : []);
+    this.stage.setOverlays([...this.overlays(), ...this.placeBoxes(), ...this.measured()]);
+    this.marks.avoid = this.cornersOfPlace();
+    this.marks.set([...(state.labels ? this.labels() : []), ...this.measure.marks()]);
+    this.showSection();
     this.showButtons();
+  }
+
+  private shown([x, y, z]: Vec): Vector3 {
+    const { centre, size } = this.data.header.frame;
+    return new Vector3((x - centre[0]) / size, (y - centre[1]) / size, (z - centre[2]) / size);
+  }
+
+  private boxBetween([lower, upper]: [Vec, Vec]): Box3 {
+    return new Box3(this.shown(lower), this.shown(upper));
+  }
+
+  private cornersOfPlace(): Vector3[] {
+    const place = this.chosen?.place;
+    return place ? cornersOf(this.boxBetween(place)) : [];
+  }
+
+  /// Around each place of what is chosen, drawn over everything.
+  private placeBoxes(): Object3D[] {
+    const { chosen } = this;
+    if (!chosen?.place) return [];
+    const boxes = chosen.regions?.length ? chosen.regions : [chosen.place];
+    const ends = boxes.flatMap((place) => edgesOf(this.boxBetween(place)));
+    return [segments(new Float32Array(ends), themes[this.state.theme].contact, 1.2, true)];
+  }
+
+  private measured(): Object3D[] {
+    const ends = this.measure.ends();
+    return ends.length > 0 ? [segments(ends, themes[this.state.theme].distance, 2.5, true)] : [];
+  }
+
+  private showSection(): void {
+    const box = this.chosen ? this.placeToFrame() : this.stage.wholeBox();
+    this.stage.setSection(this.section && planeOf(this.section, box.clone().expandByScalar(1e-6)));
+    element('section').hidden = this.section === undefined;
+    element('cut').setAttribute('aria-pressed', String(this.section !== undefined));
+    element('measure').setAttribute('aria-pressed', String(this.measure.active));
+    element('measured').textContent = this.measure.text();
+    if (!this.section) return;
+    element<HTMLSelectElement>('section-axis').value = String(this.section.axis);
+    element<HTMLInputElement>('section-at').value = String(Math.round(1000 * this.section.share));
+  }
+
+  /// Cuts through the middle of what is looked at, or no longer.
+  toggleSection(): void {
+    this.section = this.section ? undefined : { axis: 0, share: 0.5, flipped: false };
+    this.show();
+  }
+
+  cut(change: Partial<Section>): void {
+    if (this.section) this.section = { ...this.section, ...change };
+    this.show();
+  }
+
+  toggleMeasure(): void {
+    this.measure.toggle();
+    this.show();
+  }
+
+  /// Whether the click was one that measures.
+  measureAt(x: number, y: number): boolean {
+    if (!this.measure.active) return false;
+    const hit = this.stage.hit(x, y);
+    if (hit) this.measure.add(hit.point);
+    this.show();
+    return true;
+  }
+
+  /// Takes over a review from the text of a file, or says what is wrong with it.
+  openReview(text: string): void {
+    const told = element('review-told');
+    try {
+      told.textContent = `${countText(this.review.read(text), 'clash', 'clashes')} of the file`;
+    } catch (error) {
+      told.textContent = `The file was not read: ${error instanceof Error ? error.message : String(error)}.`;
+    }
+    this.panels.listFindings();
+  }
+
+  saveReview(): void {
+    const link = make('a');
+    link.href = URL.createObjectURL(new Blob([this.review.text()], { type: 'application/json' }));
+    link.download = `${this.data.header.title.replace(/[^\w.-]+/g, '-') || 'toccata'}-review.json`;
+    link.click();
+    this.review.changed = false;
+    window.setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 
   /// What changes from moment to moment: the layers, and where things move these and what is found of them.
@@ -372,13 +480,31 @@ export class Viewer {
     return !isHalfSpace && length(all) < 4 * length(close) ? all : close;
   }
 
+  /// The place of what is chosen with a little around it: a clash is looked at, not its parts.
+  private placeToFrame(): Box3 {
+    const { chosen } = this;
+    if (!chosen?.place || !this.isCloseUp) return this.focusBox();
+    const box = this.boxBetween(chosen.place);
+    const length = (one: Box3) => one.getSize(new Vector3()).length();
+    const smallest = Math.min(...objectsOf(chosen).map((object) => length(this.objects.boxes[object])));
+    const room = Math.max(0.35 * length(box), 0.02 * smallest, 1e-6);
+    return box.expandByScalar(room);
+  }
+
   frame(): void {
-    this.stage.frameBox(this.focusBox());
+    this.stage.frameBox(this.placeToFrame());
+  }
+
+  /// From the place of what is chosen to its objects, and back.
+  fit(): void {
+    this.isCloseUp = !this.isCloseUp;
+    this.frame();
   }
 
   choose(finding: number | undefined): void {
     if (finding === undefined && this.state.finding === undefined) return;
     this.state.finding = finding;
+    this.isCloseUp = true;
     this.panels.markFinding();
     this.panels.listObjects();
     this.show();

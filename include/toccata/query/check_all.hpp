@@ -9,6 +9,7 @@
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/manifold.hpp"
+#include "toccata/query/overlap.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/relation.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -31,6 +32,27 @@ struct ContactManifold {
 };
 
 struct PairAnswer {
+  /// What a clash is in the field's words.
+  enum class Kind {
+    clearance,  ///< near, and not in contact
+    touching,
+    crossing,  ///< a surface takes part
+    overlap,   ///< of two solids, of which it was not asked, or not found out, whether one passes through the other
+    protrude,  ///< one goes into the other, and not through it
+    pierce,    ///< one goes into the other at one place and out at another: around one common part they cross along two
+               ///< closed curves or more
+    contains,  ///< one lies wholly inside the other
+    equal
+  };
+
+  /// How an overlap stands to the tolerance.
+  enum class Tolerance {
+    none,      ///< none was asked for the pair, or the two do not overlap
+    within,    ///< certainly no deeper
+    beyond,    ///< certainly deeper
+    undecided  ///< its bracket holds the tolerance, however narrow it was asked; or there is no depth
+  };
+
   Index a = 0;  ///< index in the span, a < b
   Index b = 0;
   Relation relation;                         ///< apart: no farther than its clearance, or `undecided` whether
@@ -41,8 +63,13 @@ struct PairAnswer {
   /// With the penetration, where one is a mesh, a height field or a compound and not both have a mesh: of each two
   /// elements that meet, ascending.
   std::vector<ContactManifold> manifolds{};
-  std::vector<ContactRegion> regions{};  ///< with the penetration, of two meshes
-  std::optional<Distance> distance{};    ///< wherever a clearance is asked for: 0 where they have a common point
+  std::vector<ContactRegion> regions{};   ///< with the penetration, of two meshes
+  std::optional<Distance> distance{};     ///< wherever a clearance is asked for: 0 where they have a common point
+  Kind kind = Kind::touching;             ///< of meshes `protrude` and `pierce` with the penetration or the volume
+  Tolerance tolerance = Tolerance::none;  ///< by the penetration, which is told then
+  std::optional<OverlapVolume> volume{};  ///< when asked for, of two solids
+  std::optional<Vec3> common_point{};     ///< with it: a point that certainly both have, if one was found
+  Aabb common_box{};                      ///< what the boxes around both have in common: they meet nowhere else
 };
 
 /// How far two of the models should be from each other. They are not of one group.
@@ -56,6 +83,10 @@ struct CheckOptions {
   bool contacts = false;     ///< list the intersecting triangles of every pair
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
   DepthOptions depth{.precision = 0.1};  ///< how narrow its bracket is to be; a time limit is that of each pair
+  bool volume = false;                   ///< tell how much volume they have in common, and a point of it
+  /// World units: overlaps that are certainly no deeper are told to be within it. Where the bracket of a depth holds
+  /// it, that is asked more precisely.
+  std::optional<double> tolerance{};
   /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly
   /// (within_distance), and the distance of every pair that is told. 0: those in contact. +∞: all pairs.
   std::optional<double> clearance{};

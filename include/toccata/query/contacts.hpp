@@ -82,6 +82,9 @@ struct ContactRegion {
   /// The curves consist of loops: as often as a crossing segment begins at one of their points, one ends there. Not so
   /// where a surface ends, and where a curve runs along an edge or through a vertex.
   bool closed = false;
+  /// Closed curves along which the two cross here, after one of them was moved by less than any length; where one is a
+  /// surface that ends here, curves that are not closed count, too.
+  std::size_t curve_count = 0;
   /// Of two solids, that of the shadow which the common part casts along the normal, where it folds as often as it does
   /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Else of the shadow
   /// of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 of points and of curves

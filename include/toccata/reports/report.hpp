@@ -51,8 +51,12 @@ struct FormerPair {
   std::string a, b;  ///< names of the objects
   RelationKind kind = RelationKind::apart;
   Containment containment = Containment::none;
+  bool within_tolerance = false;
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
+
+using ClashKind = PairAnswer::Kind;
+using ToleranceVerdict = PairAnswer::Tolerance;
 
 struct ReportedPair {
   Index a = 0;
@@ -64,11 +68,19 @@ struct ReportedPair {
   std::optional<Manifold> manifold;
   std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
-  std::optional<Distance> distance;  ///< filled when the answer has distances
-  std::optional<FormerPair> was{};   ///< in the baseline, where there is one and the pair is in it; a and b as here
+  std::optional<Distance> distance;      ///< filled when the answer has distances
+  std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
+  ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
+  ToleranceVerdict tolerance = ToleranceVerdict::none;
+  std::optional<OverlapVolume> volume{};
+  std::optional<Vec3> common_point{};
+  Aabb place{};  ///< around where they meet or are nearest, as far as the answer tells; else around what both may hold
   /// Of the open mesh about the other, which is inside by it: where ReportOptions::by_winding says so, and nothing else
   std::optional<WindingNumber> winding{};
 };
+
+/// What counts as a clash: all that is reported but overlaps that are certainly within the tolerance.
+[[nodiscard]] bool is_clash(const ReportedPair& pair);
 
 /// Whether pairs that touch without their interiors meeting are reported.
 enum class Touching { count, ignore };
@@ -83,10 +95,19 @@ struct NameRule {
   std::vector<std::string> b;
 };
 
+/// How deep pairs of a rule may overlap.
+struct ToleranceRule {
+  NameRule pairs;
+  double tolerance = 0;  ///< world units
+};
+
 /// Which pairs are checked: without rules all that are not of one group.
 struct NameRules {
   std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
   std::vector<NameRule> ignored{};  ///< no pair of these
+  /// Instead of the tolerance of all pairs. Of several rules about a pair the last counts.
+  std::vector<ToleranceRule> tolerances{};
+  /// They leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
 };
 
@@ -122,6 +143,20 @@ enum class PairOrder {
   severity  ///< overlaps, the deepest first; then what touches; then what is near, the nearest first
 };
 
+/// Which clashes belong together.
+enum class ClashGrouping {
+  none,
+  part,   ///< of one object: that which has most, then of what is left that which has most, …
+  region  ///< in places next to each other: around which boxes, each grown by its longest edge, overlap, and so on
+};
+
+/// Clashes that belong together.
+struct ClashGroup {
+  std::optional<Index> part{};     ///< the object that all are of
+  Aabb place;                      ///< around their places
+  std::vector<std::size_t> pairs;  ///< places in the report, ascending
+};
+
 /// What `check` found, ready to be written: pairs that count as contact or are nearer than their clearance, and how
 /// many merely touching ones were left out.
 struct CheckReport {
@@ -138,7 +173,18 @@ struct CheckReport {
   /// Of the candidates those that were not looked at, as the check was stopped before: else 0. What is told is right
   /// all the same, and not all.
   std::size_t unfinished = 0;
+  bool has_volume = false;
+  std::optional<double> tolerance{};  ///< what was asked for all pairs, where a tolerance was; 0 with rules alone
+  ClashGrouping grouping = ClashGrouping::none;
+  std::vector<ClashGroup> groups{};  ///< of all its pairs, each in one; the largest first
 };
+
+/// "clearance", "touching", "crossing", "overlap", "protrude", "pierce", "contains", "equal".
+[[nodiscard]] std::string name_of(ClashKind kind);
+/// "none", "within", "beyond", "undecided".
+[[nodiscard]] std::string name_of(ToleranceVerdict verdict);
+/// "none", "part", "region".
+[[nodiscard]] std::string name_of(ClashGrouping grouping);
 
 /// Where there is a baseline.
 [[nodiscard]] Since since_baseline(const ReportedPair& pair);
@@ -157,7 +203,10 @@ struct ReportOptions {
   std::optional<double> clearance{};
   std::vector<PairClearance> pair_clearances{};
   DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
+  bool volume = false;
+  std::optional<double> tolerance{};
   // What `ask` heeds besides, and `make_check_report` does not.
+  ClashGrouping grouping = ClashGrouping::none;
   NameRules rules{};
   std::optional<Baseline> baseline{};
   PairOrder order = PairOrder::objects;

@@ -15,6 +15,7 @@
 #include "query/contacts/region_members.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/posed_mesh_pair.hpp"
+#include "query/volume/perturbed_pair.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/relation.hpp"
 
@@ -164,7 +165,7 @@ class Regions {
     return pieces;
   }
 
-  [[nodiscard]] ContactRegion region_of(const RegionMembers& members, std::span<const PlanePiece> cut_pieces) const {
+  [[nodiscard]] ContactRegion region_of(const RegionMembers& members, std::span<const PlanePiece> cut_pieces) {
     RegionSum sum(pair_, turn_a_, turn_b_);
     for (const Index i : members.contacts) sum.add(contacts_[i]);
     const Outline& outline = sum.outline();
@@ -176,6 +177,7 @@ class Regions {
     region.point_count = points.size();
     region.box = fit_aabb(points);
     region.closed = is_closed(outline.ends);
+    region.curve_count = curve_count_of(members);
     for (const Vec3& point : points)
       region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
     const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
@@ -183,6 +185,18 @@ class Regions {
     region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);
     if (common_) add_common_part(region, members, cut_pieces);
     return region;
+  }
+
+  [[nodiscard]] std::size_t curve_count_of(const RegionMembers& members) {
+    CrossingCurves curves;
+    for (const Index i : members.contacts) {
+      const Contact& contact = contacts_[i];
+      const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
+      if (!has_area(a) || !has_area(b)) continue;
+      const EdgesThrough through = perturbed_edges_through(a, b);
+      if (through.any()) curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
+    }
+    return curves.count();
   }
 
   void add_common_part(ContactRegion& region, const RegionMembers& members,

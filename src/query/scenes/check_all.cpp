@@ -22,6 +22,8 @@
 #include "query/scenes/check_wanted.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "query/scenes/task_reporter.hpp"
+#include "query/volume/solid_volume.hpp"
+#include "query/volume/winding_volume.hpp"
 #include "query/workspace_pool.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
@@ -93,10 +95,11 @@ class Clearances {
 class Check {
  public:
   Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
-        const CheckWatch& watch)
+        const PairTolerances& tolerances, const CheckWatch& watch)
       : models_(models),
         options_(options),
         wanted_(wanted),
+        tolerances_(tolerances),
         watch_(watch),
         clearances_(models, options),
         posed_(posed_model_pair()),
@@ -213,20 +216,115 @@ class Check {
     SearchScratch& scratch = workspace.scratch();
     const PosedModel& a = posed_[pair.first];
     const PosedModel& b = posed_[pair.second];
-    PairAnswer answer{pair.first, pair.second, {}, {}, {}, {}, {}, {}, {}};
+    PairAnswer answer;
+    answer.a = pair.first;
+    answer.b = pair.second;
     const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
     if (mesh_a != nullptr && mesh_b != nullptr)
       answer_of_meshes({mesh_a->mesh, mesh_a->solid}, {mesh_b->mesh, mesh_b->solid}, scratch, answer);
     else
       answer_of_shapes(a, b, scratch, answer);
     answer.distance = distance_in(pair, workspace);
+    answer.kind = kind_of_clash(answer.relation);
+    answer.common_box = common_box(world_box(a), world_box(b));
     if (answer.relation.kind == RelationKind::apart) {
       if (!answer.distance) return std::nullopt;
       if (is_undecided(*answer.distance, clearances_.of(pair), a, b)) answer.relation.status = Status::undecided;
       return answer;
     }
     if (options_.penetration) add_depth(answer, workspace);
+    if (const auto tolerance = tolerance_of(pair)) answer.tolerance = verdict_on(answer, *tolerance, workspace);
+    if (options_.volume) add_volume(answer, workspace);
     return answer;
+  }
+
+  [[nodiscard]] std::optional<double> tolerance_of(const IndexPair& pair) const {
+    const std::optional<double> own = tolerances_ ? tolerances_(pair) : std::nullopt;
+    return own ? own : options_.tolerance;
+  }
+
+  [[nodiscard]] PairQuery query_of(const PairAnswer& answer) const {
+    const SceneInstance &a = models_[answer.a], &b = models_[answer.b];
+    return {a.pose, b.pose, a.solid, b.solid};
+  }
+
+  /// Tells the depth by which it was decided.
+  [[nodiscard]] PairAnswer::Tolerance verdict_on(PairAnswer& answer, double tolerance, Workspace& workspace) const {
+    const bool may_overlap = answer.relation.kind != RelationKind::touching || !is_surely_touching(answer.relation);
+    if (!may_overlap) return PairAnswer::Tolerance::none;
+    DepthOptions depth = options_.depth;
+    for (const double narrower : {1.0, 0x1p-3, 0x1p-7}) {
+      depth.precision = narrower * options_.depth.precision;
+      if (!answer.penetration || narrower < 1) find_depth(answer, depth, workspace);
+      if (!answer.penetration) return PairAnswer::Tolerance::undecided;
+      if (answer.penetration->upper <= tolerance) return PairAnswer::Tolerance::within;
+      if (answer.penetration->lower > tolerance) return PairAnswer::Tolerance::beyond;
+    }
+    return PairAnswer::Tolerance::undecided;
+  }
+
+  static bool is_surely_touching(const Relation& relation) {
+    return relation.status == Status::exact && !relation.side_unresolved;
+  }
+
+  /// The narrower of what is known and what is found.
+  void find_depth(PairAnswer& answer, const DepthOptions& options, Workspace& workspace) const {
+    workspace.scratch().convex = {};  // it was another pair's
+    const auto depth = depth_where_defined(models_[answer.a].model, models_[answer.b].model, query_of(answer),
+                                           answer.relation, options, workspace);
+    if (!depth) return;
+    const auto width = [](const Penetration& known) { return known.upper - known.lower; };
+    if (answer.penetration && width(*answer.penetration) <= width(depth->penetration)) return;
+    answer.penetration = depth->penetration;
+    answer.depth_end = depth->end;
+  }
+
+  /// With the point and, as far as it can be told, what kind of clash it is.
+  void add_volume(PairAnswer& answer, Workspace& workspace) const {
+    const PosedModel &a = posed_[answer.a], &b = posed_[answer.b];
+    if (!have_common_volume(a, b)) return;
+    const CommonSolid common = common_solid(a, b, workspace.scratch());
+    answer.volume = common.volume;
+    answer.common_point = common.point;
+    const bool are_meshes = only_mesh(a) != nullptr && only_mesh(b) != nullptr;
+    if (are_meshes && answer.regions.empty() && (!common.point || common.curve_count > 1)) {
+      const std::vector<ContactRegion> regions = regions_of(answer, workspace);
+      tell_kind(answer, regions);
+      if (!answer.common_point) answer.common_point = certain_point(regions);
+    } else if (answer.regions.empty() && is_open_kind(answer) && a.parts.size() == 1 && b.parts.size() == 1) {
+      answer.kind = common.curve_count > 1 ? PairAnswer::Kind::pierce : PairAnswer::Kind::protrude;
+    }
+    if (const auto deepest = certain_point(answer.regions)) answer.common_point = deepest;
+  }
+
+  static std::optional<Vec3> certain_point(const std::vector<ContactRegion>& regions) {
+    const bool is_deep = !regions.empty() && regions[0].depth && regions[0].depth->lower > 0;
+    return is_deep ? std::optional(regions[0].deepest) : std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<ContactRegion> regions_of(const PairAnswer& answer, Workspace& workspace) const {
+    return contact_regions(models_[answer.a].model, models_[answer.b].model, query_of(answer), workspace);
+  }
+
+  static bool is_open_kind(const PairAnswer& answer) {
+    return answer.kind == PairAnswer::Kind::overlap && answer.relation.containment == Containment::none;
+  }
+
+  /// Of two meshes that overlap.
+  static void tell_kind(PairAnswer& answer, const std::vector<ContactRegion>& regions) {
+    if (!is_open_kind(answer) || regions.empty()) return;
+    const auto passes_through = [](const ContactRegion& region) {
+      return region.curve_count > 1 && region.depth && region.depth->upper > 0;
+    };
+    answer.kind = std::ranges::any_of(regions, passes_through) ? PairAnswer::Kind::pierce : PairAnswer::Kind::protrude;
+  }
+
+  static PairAnswer::Kind kind_of_clash(const Relation& relation) {
+    if (relation.kind == RelationKind::apart) return PairAnswer::Kind::clearance;
+    if (relation.kind == RelationKind::touching) return PairAnswer::Kind::touching;
+    if (relation.containment == Containment::equal) return PairAnswer::Kind::equal;
+    if (relation.containment != Containment::none) return PairAnswer::Kind::contains;
+    return relation.kind == RelationKind::crossing ? PairAnswer::Kind::crossing : PairAnswer::Kind::overlap;
   }
 
   /// Where clearances are asked for, and the two are as near.
@@ -278,10 +376,12 @@ class Check {
       answer.penetration = depth->penetration;
       answer.depth_end = depth->end;
     }
-    if (a.model.has_mesh() && b.model.has_mesh())
-      answer.regions = contact_regions(a.model, b.model, query, workspace);
-    else if (!answer.manifold)
+    if (a.model.has_mesh() && b.model.has_mesh()) {
+      answer.regions = regions_of(answer, workspace);
+      tell_kind(answer, answer.regions);
+    } else if (!answer.manifold) {
       answer.manifolds = manifolds_of(posed_[answer.a], posed_[answer.b], scratch);
+    }
   }
 
   /// Of every two elements that meet. Two half-spaces have no points.
@@ -302,6 +402,7 @@ class Check {
   std::span<const SceneInstance> models_;
   const CheckOptions& options_;
   const PairFilter& wanted_;
+  const PairTolerances& tolerances_;
   const CheckWatch& watch_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
@@ -319,9 +420,11 @@ CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions&
 }
 
 WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
-                          const CheckWatch& watch) {
+                          const PairTolerances& tolerances, const CheckWatch& watch) {
   require_usable(options.depth);
-  return Check(models, options, wanted, watch).answer();
+  if (options.tolerance && !(*options.tolerance >= 0))
+    throw Error(fmt::format("the tolerance is {}; it has to be a length of 0 or more", *options.tolerance));
+  return Check(models, options, wanted, tolerances, watch).answer();
 }
 
 }  // namespace toccata

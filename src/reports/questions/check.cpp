@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 #include "query/scenes/check_wanted.hpp"
 #include "reports/baseline.hpp"
 #include "reports/by_winding.hpp"
+#include "reports/clash_groups.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
 #include "reports/pair_order.hpp"
@@ -26,6 +28,8 @@ using io::csv_field;
 using io::document;
 using io::json_of;
 using io::json_of_length;
+
+constexpr std::string_view volume_fields = ",kind,volume_lower,volume_upper,point_x,point_y,point_z";
 
 constexpr std::array<std::string_view, 11> distance_fields = {
     "lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"};
@@ -62,6 +66,37 @@ void add_baseline(io::Json& json, const CheckReport& report) {
   }
 }
 
+/// What was asked about tolerances, where something was, and which clashes belong together.
+void add_tolerance_and_groups(io::Json& json, const Scene& scene, const CheckReport& report) {
+  if (report.tolerance) {
+    json["tolerance"] = *report.tolerance;
+    json["within_tolerance"] = std::count_if(report.pairs.begin(), report.pairs.end(),
+                                             [](const ReportedPair& pair) { return !is_clash(pair); });
+  }
+  if (report.grouping == ClashGrouping::none) return;
+  json["group_by"] = name_of(report.grouping);
+  io::Json& groups = json["groups"] = io::Json::array();
+  for (const ClashGroup& group : report.groups) {
+    io::Json entry = {
+        {"lower", io::json_of(group.place.lower)}, {"upper", io::json_of(group.place.upper)}, {"pairs", group.pairs}};
+    if (group.part) {
+      entry["part"] = io::as_utf8(scene.objects[*group.part].name);
+      entry["part_index"] = *group.part;
+    }
+    groups.push_back(std::move(entry));
+  }
+}
+
+/// What is told of the volume that they have in common, and with it.
+void add_common_volume(io::Json& line, const ReportedPair& pair) {
+  line["kind"] = name_of(pair.kind);
+  line["volume"] = pair.volume ? io::Json{{"lower", pair.volume->lower},
+                                          {"upper", pair.volume->upper},
+                                          {"status", name_of(pair.volume->status)}}
+                               : io::Json();
+  line["point"] = pair.common_point ? io::json_of(*pair.common_point) : io::Json();
+}
+
 /// How a pair stands against the baseline; with what it was, where that was something else.
 void add_since(io::Json& line, const ReportedPair& pair) {
   line["baseline"] = name_of(since_baseline(pair));
@@ -86,7 +121,11 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
     line["manifold"] = pair.manifold ? json_of(*pair.manifold) : io::Json();
     if (!pair.manifolds.empty()) line["manifolds"] = io::json_of(pair.manifolds);
     line["regions"] = io::json_of(pair.regions);
+  } else if (pair.tolerance != ToleranceVerdict::none) {
+    line["penetration"] = pair.penetration ? json_of(*pair.penetration, pair.depth_end) : io::Json();
   }
+  if (pair.tolerance != ToleranceVerdict::none) line["tolerance"] = name_of(pair.tolerance);
+  if (report.has_volume) add_common_volume(line, pair);
   if (report.clearance && pair.distance) io::add(line["distance"] = io::Json::object(), *pair.distance);
   if (pair.winding)
     line["winding"] = {{"value", pair.winding->value}, {"lower", pair.winding->lower}, {"upper", pair.winding->upper}};
@@ -105,11 +144,14 @@ std::string csv_names(const Scene& scene, const ReportedPair& pair) {
 
 /// The end of a line: what is told of pairs besides, where it is.
 std::string csv_end_names(const CheckReport& report) {
-  std::string names = io::csv_penetration_head(report.has_penetration);
+  std::string names = io::csv_penetration_head(report.has_penetration || report.tolerance);
   names.pop_back();
+  if (report.tolerance) names += ",tolerance";
+  if (report.has_volume) names += volume_fields;
   if (report.clearance)
     for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
   if (report.baseline) names += ",baseline,was_relation,was_containment";
+  if (report.grouping != ClashGrouping::none) names += ",group";
   return names + "\n";
 }
 
@@ -123,33 +165,76 @@ std::string csv_of_baseline(const ReportedPair& pair) {
   return "," + name_of(since_baseline(pair)) + "," + was;
 }
 
-std::string csv_end(const CheckReport& report, const ReportedPair& pair) {
-  return (report.has_penetration ? io::csv_of(pair.penetration, pair.depth_end) : "") +
-         (report.clearance ? csv_of_distance(pair) : "") + (report.baseline ? csv_of_baseline(pair) : "") + "\n";
+std::string csv_of_volume(const ReportedPair& pair) {
+  const std::string volume =
+      pair.volume ? fmt::format("{},{}", pair.volume->lower, pair.volume->upper) : std::string(",");
+  const std::string point =
+      pair.common_point ? fmt::format("{},{},{}", pair.common_point->x, pair.common_point->y, pair.common_point->z)
+                        : std::string(",,");
+  return "," + name_of(pair.kind) + "," + volume + "," + point;
+}
+
+std::string csv_of_tolerance(const ReportedPair& pair) {
+  return "," + (pair.tolerance == ToleranceVerdict::none ? "" : name_of(pair.tolerance));
+}
+
+/// Of each pair the number of its group, from 1.
+std::vector<std::size_t> group_numbers_of(const CheckReport& report) {
+  std::vector<std::size_t> numbers(report.pairs.size());
+  for (std::size_t group = 0; group < report.groups.size(); ++group)
+    for (const std::size_t pair : report.groups[group].pairs) numbers[pair] = group + 1;
+  return numbers;
+}
+
+/// `group` is the number of its group, where there are groups.
+std::string csv_end(const CheckReport& report, const ReportedPair& pair, std::size_t group) {
+  return (report.has_penetration || report.tolerance ? io::csv_of(pair.penetration, pair.depth_end) : "") +
+         (report.tolerance ? csv_of_tolerance(pair) : "") + (report.has_volume ? csv_of_volume(pair) : "") +
+         (report.clearance ? csv_of_distance(pair) : "") + (report.baseline ? csv_of_baseline(pair) : "") +
+         (report.grouping != ClashGrouping::none ? fmt::format(",{}", group) : "") + "\n";
+}
+
+/// A line for each pair of the baseline that is gone: in place of the relation why. `fields_of_pair` are those before
+/// what `csv_end` tells.
+std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
+  std::string csv;
+  const std::size_t between = (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? 1 : 0) +
+                              (report.has_volume ? 6 : 0) + (report.clearance ? distance_fields.size() : 0);
+  for (const GonePair& pair : report.gone)
+    csv +=
+        fmt::format("{},{},{}{},gone,{},{}{}\n", csv_field(io::as_utf8(pair.was.a)), csv_field(io::as_utf8(pair.was.b)),
+                    name_of(pair.reason), std::string(fields_of_pair - 3 + between, ','), name_of(pair.was.kind),
+                    name_of(pair.was.containment), report.grouping != ClashGrouping::none ? "," : "");
+  return csv;
 }
 
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
   std::string csv = "a,b,relation,containment,side_unresolved,status" + csv_end_names(report);
-  for (const ReportedPair& pair : report.pairs)
+  const std::vector<std::size_t> groups = group_numbers_of(report);
+  for (std::size_t i = 0; i < report.pairs.size(); ++i) {
+    const ReportedPair& pair = report.pairs[i];
     csv +=
         fmt::format("{},{},{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                     name_of(pair.relation.containment), pair.relation.side_unresolved, name_of(pair.relation.status)) +
-        csv_end(report, pair);
-  return csv;
+        csv_end(report, pair, groups[i]);
+  }
+  return csv + csv_of_gone(report, 6);
 }
 
 /// A pair without meeting faces (one solid inside the other) still has its line, with empty face fields.
 std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
   std::string csv = "a,b,relation,containment,face_a,face_b,crossing" + csv_end_names(report);
-  for (const ReportedPair& pair : report.pairs) {
+  const std::vector<std::size_t> groups = group_numbers_of(report);
+  for (std::size_t i = 0; i < report.pairs.size(); ++i) {
+    const ReportedPair& pair = report.pairs[i];
     const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                                           name_of(pair.relation.containment));
-    const std::string end = csv_end(report, pair);
+    const std::string end = csv_end(report, pair, groups[i]);
     if (pair.face_pairs.empty()) csv += start + ",,," + end;
     for (const ReportedFacePair& faces : pair.face_pairs)
       csv += fmt::format("{},{},{},{}", start, faces.face_a, faces.face_b, faces.crossing) + end;
   }
-  return csv;
+  return csv + csv_of_gone(report, 7);
 }
 
 io::Json json_of(const std::vector<std::string>& patterns) {
@@ -178,6 +263,29 @@ std::vector<NameRule> rules_of(const io::JsonValue& question, const char* key) {
   }
   return rules;
 }
+
+double finite_length_of(const io::JsonValue& value) {
+  const double length = value.number();
+  if (!(length >= 0)) value.fail("a length is negative", "write 0 or more");
+  return length;
+}
+
+std::vector<ToleranceRule> tolerances_in(const io::JsonValue& question) {
+  std::vector<ToleranceRule> rules;
+  for (const io::JsonValue& rule : question.elements("tolerances")) {
+    rule.expect_keys({"a", "b", "tolerance"});
+    rules.push_back({{patterns_of(rule.at("a")), patterns_of(rule.at("b"))}, finite_length_of(rule.at("tolerance"))});
+  }
+  return rules;
+}
+
+bool has_bounds(const Aabb& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(box.lower[axis]) || !std::isfinite(box.upper[axis])) return false;
+  return true;
+}
+
+constexpr std::array clash_groupings = {ClashGrouping::none, ClashGrouping::part, ClashGrouping::region};
 
 /// What the rules leave out has no clearance, as what is of one group has none.
 void require_wanted(std::span<const PairClearance> clearances, const PairFilter& wanted,
@@ -217,6 +325,13 @@ struct CheckKind {
           {{"a_index", pair.a}, {"b_index", pair.b}, {"clearance", io::json_of_length(pair.clearance)}});
     if (!q.rules.between.empty()) json["between"] = json_of(q.rules.between);
     if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
+    if (q.volume) json["volume"] = true;
+    if (q.tolerance) json["tolerance"] = *q.tolerance;
+    for (const ToleranceRule& rule : q.rules.tolerances)
+      json["tolerances"].push_back(
+          {{"a", json_of(rule.pairs.a)}, {"b", json_of(rule.pairs.b)}, {"tolerance", rule.tolerance}});
+    if (!q.penetration && (q.tolerance || !q.rules.tolerances.empty())) io::add_depth_options(json, q.depth);
+    if (q.grouping != ClashGrouping::none) json["group"] = name_of(q.grouping);
     if (q.order == PairOrder::severity) json["sort"] = "severity";
     if (q.by_winding) json["by_winding"] = true;
     if (q.baseline) json["baseline"] = io::json_of(*q.baseline);
@@ -225,13 +340,18 @@ struct CheckKind {
 
   static CheckQuestion read(const io::JsonValue& value) {
     value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
-                       "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding"});
+                       "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding", "volume", "tolerance",
+                       "tolerances", "group"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
     q.penetration = value.flag_or("penetration", false);
-    const DepthOptions depth = io::depth_options_of(value);
-    if (q.penetration) q.depth = depth;
+    const bool has_tolerance = value.has("tolerance") || value.has("tolerances");
+    const DepthOptions depth = io::depth_options_of(value, q.penetration || has_tolerance);
+    if (q.penetration || has_tolerance) q.depth = depth;
+    q.volume = value.flag_or("volume", false);
+    if (value.has("tolerance")) q.tolerance = finite_length_of(value.at("tolerance"));
+    if (value.has("group")) q.grouping = io::one_named<ClashGrouping>(value.at("group"), clash_groupings);
     if (value.has("clearance")) q.clearance = io::length_of(value.at("clearance"));
     constexpr std::size_t most = std::numeric_limits<Index>::max();
     for (const io::JsonValue& pair : value.elements("pair_clearances")) {
@@ -240,7 +360,7 @@ struct CheckKind {
                                    static_cast<Index>(pair.at("b_index").whole(most)),
                                    io::length_of(pair.at("clearance"))});
     }
-    q.rules = {rules_of(value, "between"), rules_of(value, "ignore")};
+    q.rules = {rules_of(value, "between"), rules_of(value, "ignore"), tolerances_in(value)};
     q.order = io::pair_order_of(value);
     q.by_winding = value.flag_or("by_winding", false);
     if (value.has("baseline")) q.baseline = io::baseline_of(value.at("baseline"));
@@ -254,11 +374,14 @@ struct CheckKind {
     options.depth = question.depth;
     options.clearance = question.clearance;
     options.pair_clearances = question.pair_clearances;
+    options.volume = question.volume;
+    options.tolerance = question.tolerance;
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
     const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
     require_wanted(question.pair_clearances, wanted, asking.models);
-    const WantedAnswer found = check_wanted(asking.models, options, wanted, watch_of(question, asking));
+    const WantedAnswer found = check_wanted(
+        asking.models, options, wanted, io::tolerances_of(question.rules, asking.models), watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
     report.unfinished = found.unfinished;
     if (question.by_winding && report.unfinished == 0) io::add_contained_by_winding(asking.models, wanted, report);
@@ -268,6 +391,8 @@ struct CheckKind {
     if (report.unfinished > 0)
       std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
     if (question.order == PairOrder::severity) io::sort_by_severity(report.pairs);
+    report.grouping = question.grouping;
+    report.groups = io::clash_groups(report.pairs, question.grouping);
     return report;
   }
 
@@ -275,6 +400,7 @@ struct CheckKind {
     io::Json json = reporting.head("toccata/check/2");
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
+    add_tolerance_and_groups(json, reporting.scene, report);
     if (report.left_out) json["left_out"] = *report.left_out;
     if (report.unfinished > 0) json["unfinished"] = report.unfinished;
     add_clearances(json, reporting.scene, report);
@@ -304,6 +430,8 @@ struct CheckKind {
     for (const ReportedPair& pair : report.pairs) {
       io::Json entry = io::words_of(pair.relation, "is closer than its clearance to");
       if (report.has_faces) entry["face_pairs"] = pair.face_pairs.size();
+      if (!is_empty(pair.place) && has_bounds(pair.place))
+        entry["place"] = io::Json::array({io::json_of(pair.place.lower), io::json_of(pair.place.upper)});
       io::Json& by = entry["methods"] = {{"relation", methods.number_of(ShapeQuestion::relation, pair.a, pair.b)}};
       if (pair.penetration) by["penetration"] = methods.number_of(ShapeQuestion::penetration, pair.a, pair.b);
       if (pair.distance) by["distance"] = methods.number_of(ShapeQuestion::distance, pair.a, pair.b);

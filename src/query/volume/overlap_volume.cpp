@@ -1,0 +1,190 @@
+#include "toccata/query/overlap.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "query/ask.hpp"
+#include "query/penetration/solid_body.hpp"
+#include "query/volume/enclosing_meshes.hpp"
+#include "query/volume/solid_volume.hpp"
+#include "query/volume/volume_bracket.hpp"
+#include "query/volume/volume_cells.hpp"
+#include "query/volume/winding_volume.hpp"
+#include "toccata/core/error.hpp"
+
+namespace toccata {
+namespace {
+
+/// What two parts have in common, as a bracket.
+struct CommonPiece {
+  VolumeBracket volume;
+  std::size_t curve_count = 0;
+  std::optional<Vec3> middle;
+};
+
+/// The order in which two meshes are looked at does not depend on that in which they are named.
+bool comes_first(const PosedMesh& a, const PosedMesh& b) {
+  const auto key = [](const PosedMesh& mesh) {
+    const Aabb& box = mesh.box();
+    const Triangle t = mesh.triangle(0);
+    return std::tuple(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z,
+                      mesh.model().mesh().triangle_count(), t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z);
+  };
+  return !(key(b) < key(a));
+}
+
+CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  if (!overlap(a.box(), b.box())) return {};
+  if (!comes_first(a, b)) return common_piece(b, a, scratch);
+  const Aabb region = common_box(a.box(), b.box());
+  const auto winding_a = only_winding_in(a, region), winding_b = only_winding_in(b, region);
+  if (winding_a == 0 || winding_b == 0) return {};
+  const WindingVolume found = winding_volume(a, b, scratch);
+  CommonPiece piece{{}, found.curve_count, found.middle};
+  if (!winding_a || !winding_b) {
+    piece.volume = volume_by_cells(a, b);
+    return piece;
+  }
+  const BoundedNumber volume = found.integral / exactly(static_cast<double>(*winding_a) * *winding_b);
+  piece.volume = narrower(volume_bracket_of(volume), {0, ceiling_of(bounded_volume(region))});
+  return piece;
+}
+
+Aabb box_near(const PosedModel& model, const PosedModel& other) {
+  const Aabb box = world_box(model);
+  return std::isfinite(box.lower.x) && std::isfinite(box.upper.x) ? box : world_box(other);
+}
+
+struct EnclosedPart {
+  EnclosingMeshes meshes;
+  const PosedShape* shape;
+};
+
+std::vector<EnclosedPart> enclosed_parts(const PosedModel& model, const PosedModel& other) {
+  std::vector<EnclosedPart> parts;
+  for (const PosedPart& part : model.parts) {
+    EnclosingMeshes meshes = enclosing_meshes(part.shape, box_near(other, model));
+    if (meshes.within) parts.push_back({std::move(meshes), &part.shape});
+  }
+  return parts;
+}
+
+CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, SearchScratch& scratch) {
+  if (!overlap(a.meshes.outer().box(), b.meshes.outer().box())) return {};
+  CommonPiece piece = common_piece(*a.meshes.within, *b.meshes.within, scratch);
+  if (a.meshes.around || b.meshes.around)
+    piece.volume.upper = common_piece(a.meshes.outer(), b.meshes.outer(), scratch).volume.upper;
+  return piece;
+}
+
+/// The interiors of two of them have no point in common, as far as the meshes around them tell.
+bool are_separate(const std::vector<EnclosedPart>& parts, SearchScratch& scratch) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (common_piece(parts[i].meshes.outer(), parts[j].meshes.outer(), scratch).volume.upper > 0) return false;
+  return true;
+}
+
+bool some_part_holds(const std::vector<EnclosedPart>& parts, const Vec3& point) {
+  return std::any_of(parts.begin(), parts.end(), [&](const EnclosedPart& part) {
+    if (const auto* half_space = std::get_if<PosedHalfSpace>(part.shape))
+      return overlap(PosedPolytope(Point{point}), *half_space);
+    return holds(*part.shape, point);
+  });
+}
+
+Status volume_status(const VolumeBracket& volume) {
+  const bool is_narrow = volume.upper - volume.lower <= 1e-9 * volume.upper;
+  return is_narrow ? Status::exact : Status::not_converged;
+}
+
+bool has_half_space(const PosedModel& model) {
+  return std::any_of(model.parts.begin(), model.parts.end(),
+                     [](const PosedPart& part) { return std::holds_alternative<PosedHalfSpace>(part.shape); });
+}
+
+/// A point that is likely in the interior of a mesh.
+Vec3 likely_middle(const PosedMesh& mesh) { return 0.5 * mesh.box().lower + 0.5 * mesh.box().upper; }
+
+class CommonParts {
+ public:
+  CommonParts(const PosedModel& a, const PosedModel& b, SearchScratch& scratch)
+      : a_(enclosed_parts(a, b)), b_(enclosed_parts(b, a)), scratch_(scratch) {
+    for (const EnclosedPart& part_a : a_)
+      for (const EnclosedPart& part_b : b_) see(part_a, part_b);
+  }
+
+  [[nodiscard]] CommonSolid found() {
+    CommonSolid result;
+    VolumeBracket volume;
+    for (const CommonPiece& piece : pieces_) {
+      volume.lower = std::max(volume.lower, piece.volume.lower);
+      volume.upper += piece.volume.upper;
+    }
+    if (pieces_.size() > 1) {
+      volume.upper = std::nextafter(volume.upper * (1 + 0x1p-40), infinity);
+      if (are_separate(a_, scratch_) && are_separate(b_, scratch_)) volume.lower = sum_of_lowers();
+    }
+    if (pieces_.size() == 1) result.curve_count = pieces_[0].curve_count;
+    result.volume = {volume.lower, volume.upper, volume_status(volume)};
+    result.point = point_;
+    return result;
+  }
+
+ private:
+  void see(const EnclosedPart& part_a, const EnclosedPart& part_b) {
+    const CommonPiece piece = piece_of(part_a, part_b, scratch_);
+    if (!(piece.volume.upper > 0)) return;
+    pieces_.push_back(piece);
+    if (point_) return;
+    const Aabb common = common_box(part_a.meshes.within->box(), part_b.meshes.within->box());
+    for (const std::optional<Vec3>& point :
+         {std::optional(0.5 * common.lower + 0.5 * common.upper), piece.middle,
+          std::optional(likely_middle(*part_a.meshes.within)), std::optional(likely_middle(*part_b.meshes.within))})
+      if (!point_ && point && some_part_holds(a_, *point) && some_part_holds(b_, *point)) point_ = point;
+  }
+
+  [[nodiscard]] double sum_of_lowers() const {
+    double sum = 0;
+    for (const CommonPiece& piece : pieces_) sum += piece.volume.lower;
+    return std::max(0.0, std::nextafter(sum * (1 - 0x1p-40), 0));
+  }
+
+  std::vector<EnclosedPart> a_;
+  std::vector<EnclosedPart> b_;
+  SearchScratch& scratch_;
+  std::vector<CommonPiece> pieces_;
+  std::optional<Vec3> point_;
+};
+
+}  // namespace
+
+bool have_common_volume(const PosedModel& a, const PosedModel& b) {
+  return a.solid && b.solid && !(has_half_space(a) && has_half_space(b));
+}
+
+CommonSolid common_solid(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
+  return CommonParts(a, b, scratch).found();
+}
+
+OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  return overlap_volume(a, b, query, workspace);
+}
+
+OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  const PosedModelPair models(a, b, query, workspace.scratch());
+  for (const auto& [model, name] : {std::pair(&models.a, "model a"), std::pair(&models.b, "model b")})
+    if (!model->solid)
+      throw Error(std::string(name) +
+                  " is taken as a surface, which has no volume in common with anything: ask about closed meshes and "
+                  "solid shapes");
+  if (!have_common_volume(models.a, models.b))
+    throw Error("what two half-spaces have in common has no end, and no volume: ask about a bounded solid");
+  return common_solid(models.a, models.b, workspace.scratch()).volume;
+}
+
+}  // namespace toccata

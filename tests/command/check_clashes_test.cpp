@@ -1,0 +1,153 @@
+// check --volume, --tolerance and --group as a person or a script meets them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace toccata {
+namespace {
+
+using test::run_command;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+Json box(const std::string& name, double x, double half = 1) {
+  return {{"name", name},
+          {"shape", {{"type", "box"}, {"half_extents", {half, half, half}}}},
+          {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0, 0}}};
+}
+
+/// Boxes in a row: overlapping by 0.0625 and by 0.5, one that touches, and one that is near.
+class CheckClashesOfCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Json scene = {{"format", "toccata-scene"},
+                        {"version", 1},
+                        {"unit", "mm"},
+                        {"objects", Json::array({box("a", 0), box("bolt 1", 1.9375), box("bolt 2", -1.5),
+                                                 box("c", 3.9375), box("d", 6)})}};
+    folder.write("row.json", scene.dump());
+  }
+
+  test::CommandResult check(std::vector<std::string> options, const std::string& rules = "") {
+    if (!rules.empty()) {
+      folder.write("rules.txt", rules);
+      options.insert(options.begin(), {"--rules", "rules.txt"});
+    }
+    options.insert(options.begin(), {"check", "row.json"});
+    return run_command(options, folder.path());
+  }
+
+  Json report(std::vector<std::string> options, const std::string& rules = "") {
+    options.emplace_back("--json");
+    const auto run = check(options, rules);
+    EXPECT_NE(run.exit_code, 2) << run.err;
+    return run.exit_code == 2 ? Json() : Json::parse(run.out);
+  }
+
+  static Json pair_of(const Json& report, const std::string& b) {
+    for (const Json& pair : report["pairs"])
+      if (pair["b"] == b) return pair;
+    return {};
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CheckClashesOfCommand, WhatIsWithinTheToleranceIsListedAndIsNoClash) {
+  const Json found = report({"--tolerance", "0.1mm"});
+  EXPECT_EQ(found["tolerance"], 0.1);
+  EXPECT_EQ(found["within_tolerance"], 1);
+  EXPECT_EQ(pair_of(found, "bolt 1")["tolerance"], "within");
+  EXPECT_EQ(pair_of(found, "bolt 1")["penetration"]["upper"], 0.0625);
+  EXPECT_EQ(pair_of(found, "bolt 2")["tolerance"], "beyond");
+  EXPECT_FALSE(pair_of(found, "c").contains("tolerance"));
+  EXPECT_EQ(check({"--tolerance", "0.1mm", "--touching", "ignore"}).exit_code, 1);
+  EXPECT_EQ(check({"--tolerance", "0.1mm", "--touching", "ignore", "--ignore", "bolt 2"}).exit_code, 0);
+  EXPECT_EQ(check({"--tolerance", "0.1mm", "--fail-on", "hard", "--ignore", "bolt 2"}).exit_code, 0);
+  EXPECT_EQ(check({"--tolerance", "0.01mm", "--fail-on", "hard", "--ignore", "bolt 2"}).exit_code, 1);
+}
+
+TEST_F(CheckClashesOfCommand, ToleranceTouchingClearanceAndPenetrationGoTogether) {
+  const Json found =
+      report({"--tolerance", "0.1", "--touching", "ignore", "--clearance", "0.1", "--penetration", "--volume"});
+  EXPECT_EQ(found["pairs"].size(), 3U);
+  EXPECT_EQ(found["ignored_touching"], 1);
+  EXPECT_EQ(pair_of(found, "bolt 1")["tolerance"], "within");
+  EXPECT_EQ(pair_of(found, "d")["relation"], "apart");
+  EXPECT_EQ(pair_of(found, "d")["kind"], "clearance");
+  EXPECT_EQ(pair_of(found, "bolt 2")["kind"], "protrude");
+  EXPECT_LE(pair_of(found, "bolt 2")["volume"]["lower"], 2.0);
+  EXPECT_GE(pair_of(found, "bolt 2")["volume"]["upper"], 2.0);
+}
+
+TEST_F(CheckClashesOfCommand, RulesTellTheTolerancesOfSomePairs) {
+  const Json found = report({}, "bolts = bolt*\ntolerance bolts, a = 0.01mm\ntolerance bolt 2 = 1mm\n");
+  EXPECT_EQ(found["tolerance"], 0);
+  EXPECT_EQ(pair_of(found, "bolt 1")["tolerance"], "beyond");
+  EXPECT_EQ(pair_of(found, "bolt 2")["tolerance"], "within");
+  for (const auto& [rules, told] : std::vector<std::pair<std::string, std::string>>{
+           {"tolerance a, c\n", "rules.txt:1: the tolerance is of no pairs or has no length"},
+           {"tolerance a = 3 parsec\n", "rules.txt:1"},
+           {"tolerance a = all\n", "rules.txt:1"},
+           {"tolerance = a\n", "no set is called 'tolerance'"}}) {
+    const auto run = check({}, rules);
+    EXPECT_EQ(run.exit_code, 2) << rules;
+    EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
+  }
+  EXPECT_NE(check({}, "tolerance zzz = 1\n").err.find("no object is called 'zzz'"), std::string::npos);
+}
+
+TEST_F(CheckClashesOfCommand, WhatWasWithinTheToleranceAndIsDeeperNowIsGraver) {
+  folder.write("old.json", check({"--tolerance", "0.1", "--json"}).out);
+  const Json found = report({"--tolerance", "0.01", "--baseline", "old.json"});
+  EXPECT_EQ(pair_of(found, "bolt 1")["baseline"], "graver");
+  EXPECT_EQ(pair_of(found, "bolt 2")["baseline"], "known");
+  EXPECT_EQ(check({"--tolerance", "0.01", "--baseline", "old.json", "--fail-on", "new"}).exit_code, 1);
+  EXPECT_EQ(check({"--tolerance", "0.1", "--baseline", "old.json", "--fail-on", "new"}).exit_code, 0);
+}
+
+TEST_F(CheckClashesOfCommand, ClashesAreGroupedByParts) {
+  const Json found = report({"--group", "part"});
+  EXPECT_EQ(found["group_by"], "part");
+  ASSERT_EQ(found["groups"].size(), 2U);
+  EXPECT_EQ(found["groups"][0]["part"], "a");
+  EXPECT_EQ(found["groups"][0]["pairs"].size(), 2U);
+  EXPECT_NE(check({"--group", "part"}).out.find("a: 2 pairs\n  a"), std::string::npos)
+      << check({"--group", "part"}).out;
+  const std::string csv = check({"--group", "part", "--csv"}).out;
+  EXPECT_NE(csv.find("status,group\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("exact,1\n"), std::string::npos) << csv;
+}
+
+TEST_F(CheckClashesOfCommand, CsvHasAsManyFieldsInEachLineAndListsWhatIsGone) {
+  folder.write("old.json", check({"--json"}).out);
+  const std::string csv = check({"--csv", "--baseline", "old.json", "--tolerance", "0.1", "--volume", "--clearance",
+                                 "0.1", "--group", "region", "--ignore", "bolt 2"})
+                              .out;
+  std::size_t fields = 0, lines = 0;
+  for (std::size_t at = 0; at < csv.size(); ++lines) {
+    const std::size_t end = csv.find('\n', at);
+    const auto count = static_cast<std::size_t>(
+        std::count(csv.begin() + static_cast<std::ptrdiff_t>(at), csv.begin() + static_cast<std::ptrdiff_t>(end), ','));
+    if (lines == 0) fields = count;
+    EXPECT_EQ(count, fields) << csv;
+    at = end + 1;
+  }
+  EXPECT_EQ(lines, 5U) << csv;
+  EXPECT_NE(csv.find("a,bolt 2,left_out,,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",gone,overlapping,none,"), std::string::npos) << csv;
+}
+
+TEST_F(CheckClashesOfCommand, ASavedCaseAndAReportAskTheSameAgain) {
+  EXPECT_EQ(check({"--tolerance", "0.1", "--volume", "--group", "region", "--save-case", "case.json"},
+                  "tolerance bolt 2 = 1mm\n")
+                .exit_code,
+            1);
+  EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace toccata

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""Looks at clashes on the page of `check` in Chromium: what is framed, where labels are, the list with its filter, groups and
+review, the section plane and the measure.
+
+usage: check_clashes.py TOCCATA [FOLDER]     with FOLDER, what was seen is kept there
+
+Exits with 77, which CTest takes for skipped, where Chromium is not installed.
+"""
+import json
+import pathlib
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from browser import Browser, find_chromium  # noqa: E402
+from check_pages import Checks, moved  # noqa: E402
+
+# The part of the screen that the place of the chosen clash takes, and the words over the picture.
+PLACE = """(() => { const corners = toccata.marks.avoid.map(corner => toccata.stage.onScreen(corner));
+  const [xs, ys] = [corners.map(p => p.x), corners.map(p => p.y)];
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)]; })()"""
+WORDS = """[...document.querySelectorAll('#marks .mark')].filter(mark => !mark.hidden).map(mark => {
+  const [box, stage] = [mark.getBoundingClientRect(), toccata.stage.canvas.getBoundingClientRect()];
+  return [box.left - stage.left, box.top - stage.top, box.right - stage.left, box.bottom - stage.top]; })"""
+LISTED = "[...document.querySelectorAll('#finding-list .row')].map(row => row.textContent)"
+HEADINGS = "[...document.querySelectorAll('#finding-list .heading')].map(heading => heading.textContent)"
+
+
+def write_files(checks):
+    """Long beams that meet at one end, so that the clash is small beside its parts; a rod through a plate; bolts."""
+    beam = {"type": "box", "half_extents": [100, 2, 2]}
+    objects = [
+        ("frame/beam 1", beam, moved(0)),
+        ("frame/beam 2", {"type": "box", "half_extents": [2, 100, 2]}, moved(101, 101)),
+        ("plate", {"type": "box", "half_extents": [20, 20, 1]}, moved(0, 60)),
+        ("rod", {"type": "box", "half_extents": [1, 1, 9]}, moved(0, 60)),
+        ("bolt", {"type": "box", "half_extents": [1, 1, 9]}, moved(50, 0, 10.95)),
+    ]
+    checks.write_scene("hall.json", [{"name": name, "shape": shape, "pose": pose} for name, shape, pose in objects], "mm")
+    before = [*objects[:3], ("rod", objects[3][1], moved(0, 300)), ("bolt", objects[4][1], moved(0, 60, 2))]
+    checks.write_scene("before.json", [{"name": name, "shape": shape, "pose": pose} for name, shape, pose in before], "mm")
+
+
+def overlaps(one, other):
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+def type_into(browser, element, text):
+    browser.value(f"(() => {{ const field = document.getElementById('{element}'); field.value = {json.dumps(text)}; field.oninput?.(); field.onchange?.(); }})()")
+
+
+def check_framing(checks, browser):
+    browser.value("document.querySelectorAll('#finding-list .row')[0].click()")
+    browser.wait_for("toccata.stage.drawn > 1")
+    for _ in range(len(browser.value(LISTED))):
+        name = browser.value("document.getElementById('sentence').textContent")
+        place = browser.value(PLACE)
+        width, height = browser.value("[toccata.stage.canvas.clientWidth, toccata.stage.canvas.clientHeight]")
+        share = max((place[2] - place[0]) / width, (place[3] - place[1]) / height)
+        checks.expect(share > 0.2, f"{name}: the place takes only {share:.2f} of the picture")
+        checks.expect(share < 1, f"{name}: the place is cut off")
+        words = browser.value(WORDS)
+        checks.expect(len(words) >= 2, f"{name}: {len(words)} labels")
+        checks.expect(not any(overlaps(word, place) for word in words), f"{name}: a label covers the place: {words}, {place}")
+        browser.press("n")
+
+
+def check_list(checks, browser):
+    everything = browser.value(LISTED)
+    type_into(browser, "clash-filter", "rod pierce")
+    checks.expect(len(browser.value(LISTED)) == 1, f"filtered: {browser.value(LISTED)}")
+    type_into(browser, "clash-filter", "no such thing")
+    checks.expect(browser.value(LISTED) == [], "nothing holds these words")
+    type_into(browser, "clash-filter", "")
+    checks.expect(browser.value(LISTED) == everything, "all are back")
+    for grouping, headings in [("kind", 3), ("since", 3), ("part", 3), ("asked", 3)]:
+        type_into(browser, "grouping", grouping)
+        found = browser.value(HEADINGS)
+        checks.expect(len(found) >= headings - 1, f"{grouping}: {found}")
+        checks.expect(len(browser.value(LISTED)) == len(everything), f"{grouping}: every clash is in one group")
+    type_into(browser, "grouping", "none")
+    checks.expect(any("gone" in row for row in everything), f"what is gone is listed: {everything}")
+    checks.expect(any("new" in row for row in everything), f"what is new is told: {everything}")
+
+
+def check_review(checks, browser):
+    browser.value("document.querySelectorAll('#finding-list .row')[0].click()")
+    type_into(browser, "review-status", "reviewed")
+    type_into(browser, "review-comment", "moved by Anna")
+    text = browser.value("toccata.review.text()")
+    said = json.loads(text)
+    checks.expect(said["format"] == "toccata-review" and len(said["clashes"]) == 1, f"the review: {text}")
+    checks.expect("reviewed" in browser.value(LISTED)[0] and "moved by Anna" in browser.value(LISTED)[0], "the list tells it")
+    checks.opened(browser, "hall.html", "#theme=light")
+    browser.value(f"toccata.openReview({json.dumps(text)})")
+    checks.expect(any("moved by Anna" in row for row in browser.value(LISTED)), "it is there again once it was opened")
+    for wrong in ["{", "{}", text.replace("reviewed", "forgotten"), text.replace('"version": 1', '"version": 9')]:
+        browser.value(f"toccata.openReview({json.dumps(wrong)})")
+        told = browser.value("document.getElementById('review-told').textContent")
+        checks.expect("not read" in told, f"refused: {wrong[:30]}: {told}")
+    checks.expect(any("moved by Anna" in row for row in browser.value(LISTED)), "what was there stays")
+
+
+def check_tools(checks, browser):
+    browser.value("document.querySelectorAll('#finding-list .row')[0].click()")
+    before = browser.picture()
+    browser.press("c")
+    checks.expect(browser.value("toccata.stage.renderer.clippingPlanes.length") == 1, "a plane cuts")
+    checks.expect(not browser.value("document.getElementById('section').hidden"), "its slider is there")
+    browser.wait_for("toccata.stage.drawn > 2")
+    checks.expect(browser.picture() != before, "something is cut away")
+    browser.value("(() => { const axis = document.getElementById('section-axis'); axis.value = '2'; axis.onchange(); })()")
+    checks.expect(browser.value("Math.abs(toccata.stage.renderer.clippingPlanes[0].normal.z)") == 1, "across Z")
+    browser.press("c")
+    checks.expect(browser.value("toccata.stage.renderer.clippingPlanes.length") == 0, "no longer")
+    browser.press("m")
+    x, y, width, height = browser.value("(box => [box.left, box.top, box.width, box.height])(toccata.stage.canvas.getBoundingClientRect())")
+    for right in [0.48, 0.52]:
+        browser.click(x + right * width, y + 0.5 * height)
+    told = browser.value("document.getElementById('measured').textContent")
+    checks.expect("mm" in told and "along the axes" in told, f"the measure: {told}")
+    browser.press("m")
+    checks.expect(browser.value("document.getElementById('measured').textContent") == "", "no longer")
+
+
+def main():
+    command = str(pathlib.Path(sys.argv[1]).resolve())
+    if not find_chromium():
+        print("Chromium is not installed")
+        return 77
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        checks = Checks(command, folder)
+        write_files(checks)
+        (folder / "old.json").write_text(checks.run("check", "before.json", "--json"))
+        checks.run("check", "hall.json", "--penetration", "--volume", "--tolerance", "0.1", "--group", "region",
+                   "--baseline", "old.json", "--html", "hall.html")
+        with Browser() as browser:
+            checks.opened(browser, "hall.html", "#theme=light")
+            check_framing(checks, browser)
+            check_list(checks, browser)
+            check_review(checks, browser)
+            check_tools(checks, browser)
+            checks.quiet(browser, "hall.html")
+    print(f"{checks.count} checks, {len(checks.failures)} failed")
+    return 1 if checks.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
