@@ -17,7 +17,7 @@ namespace {
 
 using LinkPair = std::pair<Index, Index>;
 
-LinkPair ordered(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+LinkPair link_pair_of(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The pairs of links with shapes that are joined, ascending.
 std::set<LinkPair> adjacent_links(const Robot& robot) {
@@ -38,13 +38,13 @@ std::set<LinkPair> adjacent_links(const Robot& robot) {
   for (const RobotJoint& joint : robot.joints()) {
     const Index a = robot.link_of(joint.parent), b = robot.link_of(joint.child);
     const bool has_a = !links[a].shapes.empty(), has_b = !links[b].shapes.empty();
-    if (has_a && has_b) pairs.insert(ordered(a, b));
+    if (has_a && has_b) pairs.insert(link_pair_of(a, b));
     if (has_a != has_b) bordering[group_of(has_a ? b : a)].push_back(has_a ? a : b);
   }
   for (const std::vector<Index>& around : bordering)
     for (const Index a : around)
       for (const Index b : around)
-        if (a != b) pairs.insert(ordered(a, b));
+        if (a != b) pairs.insert(link_pair_of(a, b));
   return pairs;
 }
 

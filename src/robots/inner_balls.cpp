@@ -14,7 +14,7 @@ constexpr int places_along = 9;             ///< of the longest side of the box,
 constexpr double least_beside_first = 0.4;  ///< smaller ones are hardly ever met alone
 
 /// Distances are certain, and poses are rotations, to far less than this.
-constexpr double shrunk = 1 - 0x1p-20;
+constexpr double certain_share = 1 - 0x1p-20;
 
 /// The middles of the cells of a grid over the box.
 std::vector<Vec3> places_in(const Aabb& box) {
@@ -59,7 +59,7 @@ std::vector<Ball> inner_balls(const Model& model, const Pose& pose, Solid solid)
       signed_distance_each(places, model, pose, SignBy::winding_number, {.threads = own_thread});
   for (std::size_t i = 0; i < places.size(); ++i)
     if (distances[i].status == Status::exact && distances[i].upper < 0)
-      balls.push_back({places[i], -shrunk * distances[i].upper});
+      balls.push_back({places[i], -certain_share * distances[i].upper});
   return spread_out(std::move(balls));
 }
 

@@ -50,7 +50,7 @@ Pose shifted_by(const Pose& pose, const RobotFrame& frame) {
 }
 
 template <class Named>
-Index number_of(std::span<const Named> all, std::string_view name, std::string_view noun) {
+Index named_number(std::span<const Named> all, std::string_view name, std::string_view noun) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
   if (found != all.end()) return static_cast<Index>(found - all.begin());
   std::vector<std::string> known;
@@ -112,8 +112,8 @@ std::span<const Robot::Body> Robot::bodies() const { return tree_->bodies; }
 std::optional<Index> Robot::parent_joint(Index link) const { return tree_->parent_joint[link]; }
 std::span<const IndexPair> Robot::touching_attachments() const { return tree_->touching_attachments; }
 
-Index Robot::link_of(std::string_view name) const { return number_of(links(), name, "link"); }
-Index Robot::joint_of(std::string_view name) const { return number_of(joints(), name, "joint"); }
+Index Robot::link_of(std::string_view name) const { return named_number(links(), name, "link"); }
+Index Robot::joint_of(std::string_view name) const { return named_number(joints(), name, "joint"); }
 
 std::vector<double> Robot::rest() const {
   std::vector<double> configuration;

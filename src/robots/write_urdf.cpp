@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-std::string in_xml(std::string_view text) {
+std::string urdf_words(std::string_view text) {
   std::string escaped;
   for (const char c : text) switch (c) {
       case '&':
@@ -32,7 +32,7 @@ std::string in_xml(std::string_view text) {
   return escaped;
 }
 
-std::string in_xml(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+std::string urdf_words(const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
 /// About the fixed axes x, y and z, one after the other.
 Vec3 roll_pitch_yaw(const Mat3& m) {
@@ -41,7 +41,8 @@ Vec3 roll_pitch_yaw(const Mat3& m) {
 }
 
 std::string origin_in_xml(const Pose& pose) {
-  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", in_xml(pose.offset), in_xml(roll_pitch_yaw(pose.linear)));
+  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", urdf_words(pose.offset),
+                     urdf_words(roll_pitch_yaw(pose.linear)));
 }
 
 /// Writes one robot.
@@ -54,7 +55,7 @@ class UrdfWriting {
   }
 
   void write() {
-    std::string xml = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", in_xml(robot_.name));
+    std::string xml = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", urdf_words(robot_.name));
     for (const RobotLink& link : robot_.links) xml += link_in_xml(link);
     for (const RobotJoint& joint : robot_.joints) xml += joint_in_xml(joint);
     for (const auto& [name, text] : meshes_) write_file(name, text);
@@ -74,7 +75,7 @@ class UrdfWriting {
   }
 
   std::string link_in_xml(const RobotLink& link) {
-    std::string xml = fmt::format("  <link name=\"{}\">\n", in_xml(link.name));
+    std::string xml = fmt::format("  <link name=\"{}\">\n", urdf_words(link.name));
     for (const LinkShape& shape : link.shapes) {
       const std::string body = fmt::format("{}<geometry>{}</geometry>", origin_in_xml(shape.pose), of(shape, link));
       for (const char* kind : {"visual", "collision"}) xml += fmt::format("    <{0}>{1}</{0}>\n", kind, body);
@@ -86,7 +87,7 @@ class UrdfWriting {
     if (const auto* sphere = std::get_if<Sphere>(&shape.shape); sphere && sphere->centre() == Vec3{})
       return fmt::format("<sphere radius=\"{}\"/>", sphere->radius());
     if (const auto* box = std::get_if<Box>(&shape.shape); box && box->centre() == Vec3{})
-      return fmt::format("<box size=\"{}\"/>", in_xml(2 * box->half_extents()));
+      return fmt::format("<box size=\"{}\"/>", urdf_words(2 * box->half_extents()));
     if (const auto* cylinder = std::get_if<Cylinder>(&shape.shape))
       return fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", cylinder->radius(), 2 * cylinder->half_height());
     if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&shape.shape)) {
@@ -101,13 +102,13 @@ class UrdfWriting {
   static std::string joint_in_xml(const RobotJoint& joint) {
     std::string xml = fmt::format(
         "  <joint name=\"{}\" type=\"{}\">\n    {}<parent link=\"{}\"/><child link=\"{}\"/><axis xyz=\"{}\"/>",
-        in_xml(joint.name), name_of(joint.kind), origin_in_xml(joint.origin), in_xml(joint.parent), in_xml(joint.child),
-        in_xml(joint.axis));
+        urdf_words(joint.name), name_of(joint.kind), origin_in_xml(joint.origin), urdf_words(joint.parent),
+        urdf_words(joint.child), urdf_words(joint.axis));
     if (joint.limits)
       xml += fmt::format("<limit lower=\"{}\" upper=\"{}\" effort=\"0\" velocity=\"0\"/>", joint.limits->lower,
                          joint.limits->upper);
     if (joint.mimic)
-      xml += fmt::format("<mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>", in_xml(joint.mimic->joint),
+      xml += fmt::format("<mimic joint=\"{}\" multiplier=\"{}\" offset=\"{}\"/>", urdf_words(joint.mimic->joint),
                          joint.mimic->multiplier, joint.mimic->offset);
     return xml + "\n  </joint>\n";
   }

@@ -64,23 +64,36 @@ TEST(RobotEdge, OneThatEndsInAContactMeetsThere) {
   EXPECT_LE(through.upper - through.lower, 2e-6);
 }
 
+/// Arms that turn; and one that flies, slides and has a joint that mimics another.
+RobotDescription arm_on_edges(std::uint64_t seed) {
+  RobotDescription arm = mixed_arm(seed);
+  if (seed != 3) return arm;
+  arm.joints[3].kind = RobotJointKind::prismatic;
+  arm.joints[3].limits = JointLimits{-0.1, 0.1};
+  arm.joints[6].mimic = JointMimic{"joint 5", -0.5, 0.1};
+  arm.links.push_back({"world"});
+  arm.joints.push_back({.name = "fly", .kind = RobotJointKind::floating, .parent = "world", .child = "base"});
+  return arm;
+}
+
 /// Edges of many lengths, against moments that are near each other.
 TEST(RobotEdge, NothingIsMetBeforeTheFirstContactAndSomethingThere) {
   std::size_t free = 0, met = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const RobotScene scene(Robot(mixed_arm(seed)), generated_room({.boxes = 12, .meshes = true, .seed = seed}));
+    const RobotScene scene(Robot(arm_on_edges(seed)), generated_room({.boxes = 12, .meshes = true, .seed = seed}));
+    const std::size_t positions = scene.robot().positions().size();
     constexpr std::size_t edges = 40;
     const std::vector<double> starts = sampled_configurations(scene.robot(), edges, seed);
     const std::vector<double> ends = sampled_configurations(scene.robot(), edges, seed + 100);
     std::vector<double> shorter;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      const double part = (i / 7) % 2 == 0 ? 0.1 : 1;
+      const double part = (i / positions) % 2 == 0 ? 0.1 : 1;
       shorter.push_back(starts[i] + part * (ends[i] - starts[i]));
     }
     const std::vector<std::uint8_t> is_free = scene.free_each(starts, shorter);
     const std::vector<RobotEdge> found = scene.edge_each(starts, shorter);
     for (std::size_t i = 0; i < edges; ++i) {
-      const std::vector<double> from = nth(starts, i, 7), to = nth(shorter, i, 7);
+      const std::vector<double> from = nth(starts, i, positions), to = nth(shorter, i, positions);
       const RobotEdge& edge = found[i];
       EXPECT_EQ(is_free[i] != 0, edge.is_free) << "seed " << seed << " edge " << i;
       constexpr int moments = 200;

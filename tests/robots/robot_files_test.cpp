@@ -155,6 +155,7 @@ TEST_F(UrdfFile, AWrittenRobotIsReadAgain) {
   const Robot before(arm), after(read_urdf((folder_ / "arm/robot.urdf").string()).description);
   const std::vector<double> configuration{0.1, -0.2, 0.3, 0.4, -0.5, 0.6, 0.7};
   EXPECT_EQ(before.link_poses(configuration), after.link_poses(configuration));
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(before.positions()[i].limits, after.positions()[i].limits);
   for (std::size_t i = 0; i < before.bodies().size(); ++i)
     EXPECT_TRUE(
         std::ranges::equal(before.bodies()[i].model.mesh().vertices(), after.bodies()[i].model.mesh().vertices()));
