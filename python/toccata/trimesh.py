@@ -121,7 +121,9 @@ class CollisionManager:
 
     def set_transform(self, name: Name, transform: Any) -> None:
         """Raises ValueError when there is none of that name, and for what is no transform."""
-        part = self._part(name)
+        part = self._parts.get(name)
+        if part is None:
+            raise ValueError(f"{name} not in collision manager!")
         part.pose = _pose_of(transform)
         self._moved[name] = part
 
@@ -278,7 +280,8 @@ def shape_of(mesh: Any) -> toccata.Shape:
 def _pose_of(transform: Any) -> toccata.Pose:
     if transform is None:
         return toccata.Pose()
-    if numpy.shape(transform) != (4, 4):
+    # An array tells its shape in less time than numpy.shape takes.
+    if getattr(transform, "shape", None) != (4, 4) and numpy.shape(transform) != (4, 4):
         raise ValueError("transform must be (4,4)!")
     return toccata.Pose(transform)
 
