@@ -114,7 +114,6 @@ HWY_INLINE Brought<V> brought(const RayFrame& frame, const V& from, const V& alo
   return result;
 }
 
-HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
 HWY_INLINE float float_of(const OneNumber& value) { return static_cast<float>(hn::GetLane(value)); }
 
 RayInTree run_ray_into_tree(const RayFrame& frame, const PreparedRay& ray) {

@@ -88,7 +88,6 @@ HWY_INLINE Passed<V> passed(const Passing<V>& asked) {
           passing.upper, hn::AndNot(cancels, passing.told)};
 }
 
-HWY_INLINE double first_of(const OneNumber& value) { return hn::GetLane(value); }
 HWY_INLINE Vec3 first_of(const OneVector& v) { return {first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))}; }
 
 PassingHit run_one_passing(const PassingRay& one) {
