@@ -64,7 +64,7 @@ struct DoubleBelow {
 HWY_INLINE DoubleBelow double_below(const TwoPart& number, double off) {
   const auto is_rounded_up = static_cast<std::uint64_t>(number.low < 0);
   return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(number.high) - is_rounded_up),
-          (number.high > 4 * off) & (std::fabs(number.low) > off)};
+          number.high > 4 * off && std::fabs(number.low) > off};
 }
 
 /// The sum of the radii less the length.
