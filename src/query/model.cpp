@@ -229,7 +229,7 @@ const VertexFans& Model::vertex_fans() const {
 
 namespace {
 
-/// What a part of a model takes: measured of meshes of a million triangles, where building the tree is 1.
+/// What a part of a model takes: measured of a mesh of a million triangles, where building the tree is 1.
 struct PartMeasure {
   double bytes_per_triangle;
   double of_building;
@@ -238,15 +238,15 @@ struct PartMeasure {
 constexpr PartMeasure measure_of(ModelPart part) {
   switch (part) {
     case ModelPart::solidity:
-      return {0, 0.3};
+      return {0, 0.2};
     case ModelPart::leaf_triangles:
-      return {53, 0.1};
+      return {53, 0.2};
     case ModelPart::turned_boxes:
-      return {75, 1};
+      return {75, 1.7};
     case ModelPart::winding:
-      return {80, 0.5};
+      return {80, 0.6};
     case ModelPart::neighbours:
-      return {26, 0.5};
+      return {26, 0.7};
   }
   return {};
 }
