@@ -60,7 +60,6 @@ Booleans booleans_told(std::vector<std::uint8_t> answers) {
 
 /// Rows of so many numbers.
 Floats rows_told(std::vector<double> numbers, std::initializer_list<std::size_t> of_each) {
-  std::vector<std::size_t> shape;
   nb::list told;
   told.append(-1);
   for (const std::size_t length : of_each) told.append(length);
