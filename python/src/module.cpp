@@ -26,6 +26,5 @@ NB_MODULE(_core, module) {
   bind_shapes(module);
   bind_pair_questions(module);
   bind_point_questions(module);
-  bind_robots(module);
   module.attr("__name__") = own_name;
 }

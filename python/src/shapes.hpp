@@ -28,6 +28,5 @@ void bind_pair_questions(nb::module_& module);
 void bind_point_questions(nb::module_& module);
 void bind_scenes(nb::module_& module);
 void bind_worlds(nb::module_& module);
-void bind_robots(nb::module_& module);
 
 }  // namespace toccata::python
