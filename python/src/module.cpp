@@ -26,7 +26,6 @@ NB_MODULE(_core, module) {
   bind_shapes(module);
   bind_pair_questions(module);
   bind_point_questions(module);
-  bind_robots(module);
   bind_contact_questions(module);
   bind_scenes(module);
   bind_motions(module);

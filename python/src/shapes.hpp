@@ -42,7 +42,6 @@ void bind_contact_questions(nb::module_& module);
 void bind_scenes(nb::module_& module);
 void bind_motions(nb::module_& module);
 void bind_worlds(nb::module_& module);
-void bind_robots(nb::module_& module);
 void bind_boxes(nb::module_& module);
 void bind_parts(nb::module_& module);
 void bind_caches(nb::module_& module);
