@@ -33,9 +33,10 @@ STEPS = {
     # The library is compiled with the command, with which the package's answers are compared.
     "python": "configure release; build release; cmake --install build/release --prefix build/python/prefix >/dev/null; "
     "python3 tools/check_wheel.py --prefix build/python/prefix",
-    "python-asan": "python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest; "
-    "configure asan-ubsan -DTOCCATA_BUILD_PYTHON=ON -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python; "
-    "build asan-ubsan toccata_python; bash tools/test_python_sanitized.sh build/asan-ubsan/python build/python/asan/bin/python",
+    "python-asan": "python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest hypothesis; "
+    "cmake --preset asan-ubsan -B build/python/sanitized -DTOCCATA_BUILD_PYTHON=ON -DTOCCATA_BUILD_TESTS=OFF -DTOCCATA_BUILD_COMMAND=OFF "
+    "-DTOCCATA_INSTALL=OFF -DTOCCATA_WARNINGS=OFF -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python >/dev/null; "
+    "ninja -C build/python/sanitized toccata_python; bash tools/test_python_sanitized.sh build/python/sanitized/python build/python/asan/bin/python",
     "recipes": "python3 tools/check_recipes.py --build",
     "fuzz": "configure fuzz; build fuzz; for f in build/fuzz/tests/fuzz/fuzz_*; do [[ -x $f && ! -d $f ]] || continue; "
     "known=../../tests/fuzz/corpus/${f##*/fuzz_}; [[ -d build/fuzz/$known ]] || known=; "
