@@ -76,9 +76,10 @@ STEPS = {
     "python": Step("configure release; build release; cmake --install build/release --prefix build/python/prefix >/dev/null; "
                    "python3 tools/check_wheel.py --prefix build/python/prefix",
                    [*CODE, "docs", "python", "pyproject.toml", "tools"], "python3-dev python3-venv"),
-    "python-asan": Step("python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest; "
-                        "configure asan-ubsan -DTOCCATA_BUILD_PYTHON=ON -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python; "
-                        "build asan-ubsan toccata_python; bash tools/test_python_sanitized.sh build/asan-ubsan/python build/python/asan/bin/python",
+    "python-asan": Step("python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest hypothesis; "
+                        "cmake --preset asan-ubsan -B build/python/sanitized -DTOCCATA_BUILD_PYTHON=ON -DTOCCATA_BUILD_TESTS=OFF -DTOCCATA_BUILD_COMMAND=OFF "
+                        "-DTOCCATA_INSTALL=OFF -DTOCCATA_WARNINGS=OFF -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python >/dev/null; "
+                        "ninja -C build/python/sanitized toccata_python; bash tools/test_python_sanitized.sh build/python/sanitized/python build/python/asan/bin/python",
                         [*CODE, "python", "tools"], "python3-dev python3-venv"),
     "formats": Step("configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
                     "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "

@@ -102,7 +102,9 @@ def test_instances_pickle_and_compare(scene):
     again = pickle.loads(pickle.dumps(index))
     assert again.objects == index.objects
     crate = toccata.SceneInstance(BOX, (1, 2, 3), toccata.Solid.all, "crate", "left")
-    assert pickle.loads(pickle.dumps(crate)) == crate and crate != toccata.SceneInstance(BOX, (1, 2, 3))
+    kept = pickle.loads(pickle.dumps(crate))
+    assert (kept.solid, kept.name, kept.group) == (toccata.Solid.all, "crate", "left") and kept == crate
+    assert crate != toccata.SceneInstance(BOX, (1, 2, 3))
     assert crate.name in repr(crate) and crate.shape == BOX and crate.pose == toccata.Pose((1, 2, 3))
 
 
