@@ -7,71 +7,55 @@
 
 namespace toccata::bench {
 
-struct MeshArguments {
+/// What the benchmarks of many queries have in common.
+struct QueryArguments {
+  std::vector<std::string> peers;
+  std::uint64_t seed = 1;
+  int rounds = 3;
+  bool verify = false;
+  bool json = false;
+};
+
+struct MeshArguments : QueryArguments {
   std::string mesh_a;
   std::string mesh_b;
   std::string poses;                  ///< a file; empty: random poses
   std::optional<std::size_t> random;  ///< how many queries; with a file: its poses, moved
-  std::uint64_t seed = 1;
   bool near = false;
   double size_b = 0;          ///< B's diagonal as a part of A's; 0: as it is
   std::optional<double> gap;  ///< how far random poses are from contact, or ways are moved apart; of the smaller
   double motion = 0.01;       ///< of coherent-distance: a step, as a part of the smaller diagonal
   std::string task = "overlap";
-  std::vector<std::string> peers;
   std::vector<int> threads{1};
   std::string simd;  ///< empty: the highest level
-  int rounds = 3;
   std::string clock = "wall";
-  bool verify = false;
   std::string answers;  ///< a file to write
-  bool json = false;
 };
 
-struct TriangleArguments {
-  std::vector<std::string> peers;
+struct TriangleArguments : QueryArguments {
   std::size_t count = 100000;
-  std::uint64_t seed = 1;
   std::string family = "random";
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
-struct ConvexArguments {
+struct ConvexArguments : QueryArguments {
   std::string pair = "hull";
   std::size_t vertices = 32;  ///< of each hull
   std::string task = "distance";
   std::string regime = "near";
   double gap = 0.01;  ///< of near, as a part of the smaller shape's reach; negative: so deep
-  std::vector<std::string> peers;
   std::size_t count = 2000;
-  std::uint64_t seed = 1;
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
-struct CastsArguments {
+struct CastsArguments : QueryArguments {
   std::string pair = "cylinder-box";
   std::string regime = "hit";
-  std::vector<std::string> peers;
   std::size_t count = 2000;
-  std::uint64_t seed = 1;
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
-struct RaysArguments {
+struct RaysArguments : QueryArguments {
   std::string mesh;
-  std::vector<std::string> peers;
   std::size_t count = 100000;
-  std::uint64_t seed = 1;
   bool camera = false;  ///< neighbours in the array go side by side
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
 struct DecomposeArguments {
@@ -120,15 +104,10 @@ struct BuildArguments {
   bool json = false;
 };
 
-struct NearestArguments {
+struct NearestArguments : QueryArguments {
   std::string mesh;
   std::string where = "far";
-  std::vector<std::string> peers;
   std::size_t count = 100000;
-  std::uint64_t seed = 1;
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
 struct BroadArguments {
@@ -166,17 +145,12 @@ struct PartsArguments {
   bool json = false;
 };
 
-struct WorldQueriesArguments {
+struct WorldQueriesArguments : QueryArguments {
   std::string task = "ray";
   std::string shape = "ball-box";  ///< that moves
   std::string mesh;                ///< instead of bodies
   std::size_t bodies = 50000;
-  std::vector<std::string> peers;
   std::size_t count = 10000;
-  std::uint64_t seed = 1;
-  int rounds = 3;
-  bool verify = false;
-  bool json = false;
 };
 
 struct MoverArguments {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <limits>
-
 #include "arguments.hpp"
 #include "cast_judge.hpp"
 #include "cast_questions.hpp"
@@ -14,15 +11,8 @@ AnsweredCasts measured(CastLibrary& library, const CastWork& work, int rounds) {
   const std::size_t count = work.questions.size();
   AnsweredCasts one;
   one.answers.resize(count);
-  std::vector<double> fastest((count + cast_block - 1) / cast_block, std::numeric_limits<double>::infinity());
-  // A block again at once would be measured with branches that the processor has learnt.
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers = std::span(one.answers).subspan(i * cast_block, std::min(cast_block, count - i * cast_block));
-      const double seconds = seconds_of([&] { library.answer(i * cast_block, answers); }, Clock::thread);
-      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
-    }
-  summarise(std::move(fastest), one.result);
+  const auto ask = [&](std::size_t first, auto answers) { library.answer(first, answers); };
+  summarise(fastest_of_blocks(std::span(one.answers), cast_block, rounds, Clock::thread, ask), one.result);
   one.result.who = library.description();
   one.result.task = "casts";
   one.result.queries = count;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "arguments.hpp"
 #include "convex_judge.hpp"
@@ -16,22 +15,13 @@ using Json = nlohmann::ordered_json;
 
 ConvexResult measured(ConvexLibrary& library, const ConvexWork& work, int rounds) {
   library.prepare(work);
-  const std::size_t count = work.questions.size();
   ConvexResult result;
   result.bytes_per_vertex = library.bytes_per_vertex();
-  result.answers.resize(count);
-  std::vector<double> times((count + convex_block - 1) / convex_block, std::numeric_limits<double>::infinity());
-  // A block again at once would be measured with branches that the processor has learnt.
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const auto answers =
-          std::span(result.answers).subspan(i * convex_block, std::min(convex_block, count - i * convex_block));
-      const double seconds = seconds_of([&] { library.answer(i * convex_block, answers); });
-      times[i] = std::min(times[i], 1e6 * seconds / static_cast<double>(answers.size()));
-    }
-  result.who = library.description();  // which may tell how much work it was
+  result.answers.resize(work.questions.size());
+  const auto ask = [&](std::size_t first, auto answers) { library.answer(first, answers); };
   Result in_microseconds;
-  summarise(std::move(times), in_microseconds);
+  summarise(fastest_of_blocks(std::span(result.answers), convex_block, rounds, Clock::wall, ask), in_microseconds);
+  result.who = library.description();  // which may tell how much work it was
   result.median_ns = 1e3 * in_microseconds.median_us;
   result.mean_ns = 1e3 * in_microseconds.mean_us;
   result.p99_ns = 1e3 * in_microseconds.p99_us;

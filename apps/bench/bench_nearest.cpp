@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "arguments.hpp"
 #include "float_mesh.hpp"
@@ -56,16 +55,10 @@ MeasuredNearest measured(NearestLibrary& library, const TriangleMesh& mesh, std:
   one.tolerance = library.tolerance();
   one.result.build_ms = 1e3 * seconds_of([&] { library.prepare(mesh); });
   one.distances.resize(points.size());
-  std::vector<double> fastest((points.size() + nearest_block - 1) / nearest_block,
-                              std::numeric_limits<double>::infinity());
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const std::size_t first = i * nearest_block, count = std::min(nearest_block, points.size() - first);
-      const double seconds = seconds_of(
-          [&] { library.answer(points.subspan(first, count), std::span(one.distances).subspan(first, count)); });
-      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(count));
-    }
-  summarise(std::move(fastest), one.result);
+  const auto ask = [&](std::size_t first, auto distances) {
+    library.answer(points.subspan(first, distances.size()), distances);
+  };
+  summarise(fastest_of_blocks(std::span(one.distances), nearest_block, rounds, Clock::wall, ask), one.result);
   one.result.who = library.description();
   one.result.task = "nearest-point";
   one.result.queries = points.size();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "arguments.hpp"
 #include "float_mesh.hpp"
@@ -72,15 +71,8 @@ MeasuredRays measured(RayLibrary& library, const TriangleMesh& mesh, const std::
   MeasuredRays one;
   one.result.build_ms = 1e3 * seconds_of([&] { library.prepare(mesh, rays); });
   one.answers.resize(rays.size());
-  std::vector<double> fastest((rays.size() + ray_block - 1) / ray_block, std::numeric_limits<double>::infinity());
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers =
-          std::span(one.answers).subspan(i * ray_block, std::min(ray_block, rays.size() - i * ray_block));
-      const double seconds = seconds_of([&] { library.answer(i * ray_block, answers); });
-      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
-    }
-  summarise(std::move(fastest), one.result);
+  const auto ask = [&](std::size_t first, auto answers) { library.answer(first, answers); };
+  summarise(fastest_of_blocks(std::span(one.answers), ray_block, rounds, Clock::wall, ask), one.result);
   one.result.who = library.description();
   one.result.task = "rays";
   one.result.queries = rays.size();

@@ -17,18 +17,11 @@ using SweepJson = nlohmann::ordered_json;
 
 AnsweredSweeps measured_sweeps(SweepLibrary& library, const SweepWork& work, int rounds) {
   library.prepare(work);
-  const std::size_t count = work.questions.size(), block = work.block;
+  const std::size_t count = work.questions.size();
   AnsweredSweeps one;
   one.answers.resize(count);
-  std::vector<double> fastest((count + block - 1) / block, std::numeric_limits<double>::infinity());
-  // A block again at once would be measured with branches that the processor has learnt.
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers = std::span(one.answers).subspan(i * block, std::min(block, count - i * block));
-      const double seconds = seconds_of([&] { library.answer(i * block, answers); }, Clock::thread);
-      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
-    }
-  summarise(std::move(fastest), one.result);
+  const auto ask = [&](std::size_t first, auto answers) { library.answer(first, answers); };
+  summarise(fastest_of_blocks(std::span(one.answers), work.block, rounds, Clock::thread, ask), one.result);
   one.result.who = library.description();
   one.result.task = work.set;
   one.result.queries = count;

@@ -133,15 +133,8 @@ MeasuredQueries measured(WorldQueryLibrary& library, const WorldWork& work, int 
   one.result.build_ms = 1e3 * seconds_of([&] { library.build(work); }, Clock::thread);
   library.prepare(work);
   one.answers.resize(work.size());
-  std::vector<double> fastest((work.size() + query_block - 1) / query_block, std::numeric_limits<double>::infinity());
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < fastest.size(); ++i) {
-      const auto answers =
-          std::span(one.answers).subspan(i * query_block, std::min(query_block, work.size() - i * query_block));
-      const double seconds = seconds_of([&] { library.answer(i * query_block, answers); }, Clock::thread);
-      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(answers.size()));
-    }
-  summarise(std::move(fastest), one.result);
+  const auto ask = [&](std::size_t first, auto answers) { library.answer(first, answers); };
+  summarise(fastest_of_blocks(std::span(one.answers), query_block, rounds, Clock::thread, ask), one.result);
   one.result.who = library.description();
   one.result.queries = work.size();
   return one;

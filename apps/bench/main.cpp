@@ -77,9 +77,7 @@ void add_number(CLI::App& app, const std::string& name, Number& number, const st
 
 void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "write JSON (docs/guide/benchmarks.md)"); }
 
-/// What the benchmarks of many queries have in common.
-template <class Arguments>
-void add_common(CLI::App& app, Arguments& arguments) {
+void add_common(CLI::App& app, QueryArguments& arguments) {
   app.add_option("--seed", arguments.seed, "another seed, other queries")->check(whole_number())->capture_default_str();
   add_number(app, "--rounds", arguments.rounds, "how often each query is asked; the fastest counts");
   app.add_flag("--verify", arguments.verify, "compare every answer with brute force in rational arithmetic: slow");

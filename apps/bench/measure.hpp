@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,22 @@ enum class Clock {
 };
 
 double seconds_of(const std::function<void()>& work, Clock clock = Clock::wall);
+
+/// Of each block of questions the time of one, in microseconds, in the fastest of the rounds. Each round asks all: a
+/// block again at once would be measured with branches that the processor has learnt. `ask(first, answers)` answers a
+/// block.
+template <class Told, class Ask>
+std::vector<double> fastest_of_blocks(std::span<Told> answers, std::size_t block, int rounds, Clock clock,
+                                      const Ask& ask) {
+  std::vector<double> fastest((answers.size() + block - 1) / block, std::numeric_limits<double>::infinity());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < fastest.size(); ++i) {
+      const std::span<Told> part = answers.subspan(i * block, std::min(block, answers.size() - i * block));
+      const double seconds = seconds_of([&] { ask(i * block, part); }, clock);
+      fastest[i] = std::min(fastest[i], 1e6 * seconds / static_cast<double>(part.size()));
+    }
+  return fastest;
+}
 
 /// Fills median, mean and p99 (the value that 99 % do not exceed) from the time of each query, in microseconds.
 void summarise(std::vector<double> microseconds, Result& result);
