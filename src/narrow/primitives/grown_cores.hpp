@@ -142,7 +142,8 @@ HWY_INLINE Manifold manifold_of(const GrownCores<edges, ways>& cores) {
   result.count = 1;
   store(normal, result.normal);
   ManifoldPoint& point = result.points[0];
-  store(plus(on_a, scaled(0.5, minus(on_b, on_a))), point.position);
+  // Of two balls the order does not show.
+  store(plus(scaled(0.5, on_a), scaled(0.5, on_b)), point.position);
   point.depth = (cores.radius_a + cores.radius_b) - length;
   point.on_a = cores.feature_a;
   point.on_b = cores.feature_b;
