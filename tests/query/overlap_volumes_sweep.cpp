@@ -4,6 +4,7 @@
 #include <span>
 
 #include "oracle/common_volume.hpp"
+#include "query/winding_checks.hpp"
 #include "support/case_seeds.hpp"
 #include "support/relation_cases.hpp"
 #include "support/voxel_solids.hpp"
@@ -27,15 +28,6 @@ struct VolumeCase {
 
 Vec3 vector_in(Random& random, double reach) {
   return {random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach)};
-}
-
-std::vector<Triangle> world_triangles(const TriangleMesh& mesh, const Pose& pose) {
-  std::vector<Triangle> triangles;
-  for (const auto& [i, j, k] : mesh.triangles())
-    triangles.push_back(
-        {{oracle::world_vertex(pose, mesh.vertices()[i]), oracle::world_vertex(pose, mesh.vertices()[j]),
-          oracle::world_vertex(pose, mesh.vertices()[k])}});
-  return triangles;
 }
 
 Rational common_length(double lower_a, double upper_a, double lower_b, double upper_b) {
