@@ -33,7 +33,7 @@ TEST(BodyCrowd, DoesWhatItsSceneSays) {
     BodyCrowd crowd(scene.name, 300, 3), same(scene.name, 300, 3);
     EXPECT_EQ(crowd.shapes().size(), 300 + crowd.ground_count());
     EXPECT_EQ(crowd.ground_count(), scene.name == "fly" ? 0U : 1U);
-    for (int frame = 0; frame < 40; ++frame) {
+    for (int frame = 0; frame < 80; ++frame) {
       crowd.step();
       same.step();
     }
@@ -41,7 +41,8 @@ TEST(BodyCrowd, DoesWhatItsSceneSays) {
     const Counted counted = contacts_of(crowd);
     EXPECT_TRUE(scene.name != "stacks" || counted.pairs >= 240U) << counted.pairs;
     EXPECT_TRUE(scene.name != "pile" || counted.pairs >= 300U) << counted.pairs;
-    EXPECT_TRUE((scene.name != "floor" && scene.name != "terrain") || counted.on_ground >= 200U) << counted.on_ground;
+    EXPECT_TRUE(scene.name != "floor" || counted.on_ground >= 200U) << counted.on_ground;
+    EXPECT_TRUE(scene.name != "terrain" || counted.on_ground >= 100U) << counted.on_ground;
     EXPECT_GE(counted.pairs, 1U) << scene.name;
   }
   EXPECT_THROW(BodyCrowd("stack", 10), Error);
