@@ -92,7 +92,9 @@ def stamp_of(unit, command, tool):
 
 def tidy(unit, stamp):
     """What there is to complain of."""
-    run = subprocess.run(["clang-tidy", "-p", BUILD, "--quiet", unit], capture_output=True, text=True)
+    # That is what pieces are.
+    less = ["--checks=-bugprone-suspicious-include"] if unit.is_relative_to(BUILD) else []
+    run = subprocess.run(["clang-tidy", "-p", BUILD, "--quiet", *less, unit], capture_output=True, text=True)
     if run.returncode == 0:
         stamp.touch()
         return ""
