@@ -22,8 +22,8 @@ HWY_INLINE ThreeNumbers numbers_of(const OneVector& v) {
   return {first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))};
 }
 
-/// A box under a pose that is rigid but for rounding. Its corners, which are rounded each by itself, are made where they
-/// are needed.
+/// A box under a pose that is rigid but for rounding. Its corners, which are rounded each by itself, are made where
+/// they are needed.
 template <class Corners>
 struct OneBlock {
   const Mat3& axes;  ///< as columns
@@ -50,8 +50,8 @@ struct GivenCorners {
 
   [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const {
     const Vec3 lower = box.centre() - box.half_extents(), upper = box.centre() + box.half_extents();
-    return placing({(i & 1U) != 0 ? upper.x : lower.x, (i & 2U) != 0 ? upper.y : lower.y,
-                    (i & 4U) != 0 ? upper.z : lower.z});
+    return placing(
+        {(i & 1U) != 0 ? upper.x : lower.x, (i & 2U) != 0 ? upper.y : lower.y, (i & 4U) != 0 ? upper.z : lower.z});
   }
 };
 
@@ -62,8 +62,8 @@ struct StoredCorners {
 };
 
 HWY_INLINE OneBlock<GivenCorners> in_world(const Box& box, const Pose& pose) {
-  return {pose.linear,          placed_in_one(pose, box.centre()), in_one(box.half_extents()),
-          slack_of(box, pose), 0,                                  {box, Placing(pose)}};
+  return {pose.linear,         placed_in_one(pose, box.centre()), in_one(box.half_extents()), slack_of(box, pose), 0,
+          {box, Placing(pose)}};
 }
 
 /// How a point lies beside a box. Distances in the box's frame are off by `error`: see rigid_overlap.cpp.
@@ -128,7 +128,7 @@ struct BoxSide {
 template <class Corners>
 HWY_INLINE BoxSide side_of(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point) {
   const std::size_t i = b.across == 2 ? 0 : b.across + 1, j = b.across == 0 ? 2 : b.across - 1;
-  const Index first = b.corner(), at_i = first ^ Index{1} << i, at_j = first ^ Index{1} << j;
+  const Index first = b.corner(), at_i = first ^ Index { 1 } << i, at_j = first ^ Index { 1 } << j;
   const OneVector c = block.corner(first), ci = block.corner(at_i), cj = block.corner(at_j),
                   cij = block.corner(at_i ^ Index{1} << j), opposite = block.corner(first ^ Index{1} << b.across);
   const double share_i = b.share(i), share_j = b.share(j);
@@ -137,14 +137,13 @@ HWY_INLINE BoxSide side_of(const OneBlock<Corners>& block, const BesideBox& b, c
   const OneVector bend = plus(minus(one.high, other.high), minus(one.low, other.low));
   const OneVector way = plus(minus(point, c), plus(scaled(share_i, minus(c, ci)), scaled(share_j, minus(c, cj))));
   const double height = first_of(dot(bend, way));
-  const double sure = 0x1p-30 * (first_of(sum_of(magnitudes_of(bend))) * first_of(sum_of(magnitudes_of(way))));
+  const double sure = 0x1p-28 * (first_of(sum_of(magnitudes_of(bend))) * first_of(sum_of(magnitudes_of(way))));
   const bool is_face = (share_i > 0) & (share_j > 0), is_before = is_face & (height > 0), i_first = share_i > share_j;
-  BoxSide side{c,
-               {{{select(is_before & !i_first, cj, c), select(is_before & !i_first, cij, ci), share_i,
-                  inverse_i * inverse_i},
-                 {select(is_before & i_first, ci, c), select(is_before & i_first, cij, cj), share_j,
-                  inverse_j * inverse_j}}},
-               minus(c, opposite)};
+  BoxSide side{
+      c,
+      {{{select(is_before & !i_first, cj, c), select(is_before & !i_first, cij, ci), share_i, inverse_i * inverse_i},
+        {select(is_before & i_first, ci, c), select(is_before & i_first, cij, cj), share_j, inverse_j * inverse_j}}},
+      minus(c, opposite)};
   const bool is_inside = is_before ? std::fabs(share_i - share_j) > least_share : share_i + share_j < 1 - least_share;
   side.is_certain = !is_face | (is_inside & ((std::fabs(height) > sure) | (sure == 0)));
   return side;

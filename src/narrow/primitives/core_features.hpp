@@ -33,11 +33,11 @@ struct CoreFeatures {
   OneVector on_a, on_b;  ///< vertices
   std::array<CoreEdge, edges> edge;
   std::array<OneVector, ways> beyond;  ///< from that vertex of the difference to others, which are no ends of edges
-  double slack = 0;  ///< by which a vertex may be beside where the edges and ways have it
+  double slack = 0;                    ///< by which a vertex may be beside where the edges and ways have it
 };
 
-// Bounds, with u = 2^-53, S the sum of the magnitudes of the coordinates of on_a − on_b and of all edges (`size`), and x
-// the difference of the two points as it is found. Each coordinate of x is a difference of vertices and at most two
+// Bounds, with u = 2^-53, S the sum of the magnitudes of the coordinates of on_a − on_b and of all edges (`size`), and
+// x the difference of the two points as it is found. Each coordinate of x is a difference of vertices and at most two
 // steps along edges, and off by 4u of their magnitudes at most; its product with an edge, over the edge's length, by 4u
 // of its length more. Both together are less than 2^-50 S.
 //
@@ -128,7 +128,8 @@ HWY_INLINE PlainGap<edges> plain_gap(const CoreFeatures<edges, ways>& f) {
     const double across = plain.across_squared(plain.along(gap.apart), rounding);
     // 2^-45 of the size is less than 10^-12 of the greatest coordinate.
     gap.is_placed = across < 0x1p-90 * (gap.size * gap.size) * plain.sine_squared;
-    // By what x is off by and by what x* differs from it; and what vertices are off by, eight of them in a sum of edges.
+    // By what x is off by and by what x* differs from it; and what vertices are off by, eight of them in a sum of
+    // edges.
     const SlopeError error{8 * (rounding * rounding + across), 512 * (f.slack * f.slack) * gap.squared};
     for (std::size_t i = 0; i < edges; ++i) {
       const double share = f.edge[i].share, slope = first_of(dot(plain.way[i], gap.apart));
@@ -140,8 +141,7 @@ HWY_INLINE PlainGap<edges> plain_gap(const CoreFeatures<edges, ways>& f) {
       gap.is_certain = gap.is_certain & (plain.is_free[i] ? is_within : is_held);
     }
     for (const OneVector& way : f.beyond)
-      gap.is_certain =
-          gap.is_certain & error.leaves_positive(first_of(dot(way, gap.apart)), first_of(dot(way, way)));
+      gap.is_certain = gap.is_certain & error.leaves_positive(first_of(dot(way, gap.apart)), first_of(dot(way, way)));
   }
   return gap;
 }
@@ -183,7 +183,8 @@ HWY_INLINE PreciseGap precise_gap(const CoreFeatures<edges, ways>& f, const Plai
       x = moved(x, f.edge[i].share, exact_difference(f.edge[i].head, f.edge[i].tail));
     is_corrected = correct(plain.edges_found, x);
     x = renormalized(x);
-    across = plain.edges_found.across_squared(plain.edges_found.along(x.high), 0x1p-50 * first_of(sum_of(magnitudes_of(x.high))));
+    across = plain.edges_found.across_squared(plain.edges_found.along(x.high),
+                                              0x1p-50 * first_of(sum_of(magnitudes_of(x.high))));
   }
   const TwoPart square = long_square(x);
   PreciseGap gap{x.high, long_root(square), 0, false};
