@@ -7,13 +7,9 @@
 namespace toccata {
 
 /// Of a positive one that is not infinite.
-inline double next_above(double positive) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) + 1);
-}
+inline double next_above(double positive) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) + 1); }
 
 /// Of a positive one.
-inline double next_below(double positive) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) - 1);
-}
+inline double next_below(double positive) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) - 1); }
 
 }  // namespace toccata

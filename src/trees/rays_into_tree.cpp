@@ -48,7 +48,7 @@ template <class V>
 HWY_INLINE PartOfWay<V> part_within(const Aabb& box, const NumberOf<V>& around, const V& origin, const V& motion) {
   using N = NumberOf<V>;
   // What moves less far than `least` is told by where it is; `around` allows for it.
-  constexpr double slack = 0x1p-50, least = 0x1p-900;
+  [[maybe_unused]] constexpr double slack = 0x1p-50, least = 0x1p-900;
   const V near = in_each(origin, around);
   const V low = minus(minus(in_lanes_of(origin, box.lower), near), origin);
   const V high = minus(plus(in_lanes_of(origin, box.upper), near), origin);

@@ -285,10 +285,12 @@ TEST(ProofConstants, TheDepthOfABoxInAHalfSpaceParts) {
 TEST(ProofConstants, TheDepthOfTwoSpheresParts) {
   const double radius = 0x1.bc18369ecf2dp-3, other = 0x1.7020ee5fc3a6cp-1;
   const Vec3 centre{0x1.693c7a3654c6ep-3, -0x1.589bac293850bp-3, -0x1.1345842ff87dp-2};
-  const Penetration found = penetration(PosedPolytope(Sphere(radius, {0, 0, 0})), PosedPolytope(Sphere(other, centre)));
-  const auto between = exact(centre) + exact(found.upper) * exact(found.direction);
-  const oracle::Rational reach = exact(radius) + exact(other);
-  EXPECT_GE(oracle::dot(between, between), reach * reach);
+  const PosedPolytope a(Sphere(radius, {0, 0, 0})), b(Sphere(other, centre));
+  for (const Penetration& found : {penetration(a, b), penetration_by_expansion(a, b)}) {
+    const auto between = exact(centre) + exact(found.upper) * exact(found.direction);
+    const oracle::Rational reach = exact(radius) + exact(other);
+    EXPECT_GE(oracle::dot(between, between), reach * reach);
+  }
 }
 
 // The length of the first two columns seems to be 1.

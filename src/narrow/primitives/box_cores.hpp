@@ -137,7 +137,7 @@ HWY_INLINE BoxSide side_of(const OneBlock<Corners>& block, const BesideBox& b, c
   const OneVector bend = plus(minus(one.high, other.high), minus(one.low, other.low));
   const OneVector way = plus(minus(point, c), plus(scaled(share_i, minus(c, ci)), scaled(share_j, minus(c, cj))));
   const double height = first_of(dot(bend, way));
-  const double sure = 0x1p-30 * (first_of(sum_of(magnitudes_of(bend))) * first_of(sum_of(magnitudes_of(way))));
+  const double sure = 0x1p-28 * (first_of(sum_of(magnitudes_of(bend))) * first_of(sum_of(magnitudes_of(way))));
   const bool is_face = (share_i > 0) & (share_j > 0), is_before = is_face & (height > 0), i_first = share_i > share_j;
   BoxSide side{
       c,

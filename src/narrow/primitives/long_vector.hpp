@@ -65,9 +65,9 @@ HWY_INLINE LongVector moved(const LongVector& v, double s, const LongVector& e) 
   return {sum.high, plus(v.low, plus(plus(sum.low, product.low), products(share, e.low)))};
 }
 
-/// |v|², of a renormalized vector: off by less than 2^-99 of it, where nothing under- or overflows. Left out are squares
-/// of low parts, 2^-106 of it; and what is added up below the last place of the first sum is less than 2^-49 of it, in
-/// ten roundings.
+/// |v|², of a renormalized vector: off by less than 2^-99 of it, where nothing under- or overflows. Left out are
+/// squares of low parts, 2^-106 of it; and what is added up below the last place of the first sum is less than 2^-49 of
+/// it, in ten roundings.
 HWY_INLINE TwoPart long_square(const LongVector& v) {
   const LongVector squares = exact_products(v.high, v.high);
   const OneVector mixed = products(v.high, v.low), rest = plus(squares.low, plus(mixed, mixed));

@@ -16,8 +16,8 @@ namespace {
 
 /// What the box's frame tells alone.
 struct FrameContact {
-  bool is_apart = false;   ///< certainly
-  bool is_outside = false; ///< the other's core does not reach the box
+  bool is_apart = false;    ///< certainly
+  bool is_outside = false;  ///< the other's core does not reach the box
 };
 
 /// `least_squared` is a lower bound of the squared distance, but for the error.
@@ -188,14 +188,17 @@ HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock<GivenCorners>& 
 HWY_INLINE bool is_rigid(const Pose& pose) { return are_rigid(pose, pose); }
 
 HWY_INLINE OneBlock<GivenCorners> in_world(const PosedBox& box) {
-  return {box.pose.linear, in_one(box.rigid.centre), in_one(box.rigid.half_extents), box.rigid.slack, 0,
+  return {box.pose.linear,
+          in_one(box.rigid.centre),
+          in_one(box.rigid.half_extents),
+          box.rigid.slack,
+          0,
           {box.shape, Placing(box.pose)}};
 }
 HWY_INLINE OneBlock<StoredCorners> in_world(const PosedPolytope& box) {
   const RigidBox& rigid = box.as_box();
-  return {box.pose().linear, in_one(rigid.centre),
-          in_one(rigid.half_extents), rigid.slack,
-          box.radius(),      {{box.along(0), box.along(1), box.along(2)}}};
+  return {box.pose().linear, in_one(rigid.centre), in_one(rigid.half_extents),
+          rigid.slack,       box.radius(),         {{box.along(0), box.along(1), box.along(2)}}};
 }
 HWY_INLINE const Pose& pose_of(const PosedBox& box) { return box.pose; }
 HWY_INLINE const Pose& pose_of(const PosedPolytope& box) { return box.pose(); }

@@ -13,9 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace toccata {
 namespace HWY_NAMESPACE {
 
-Penetration depth_of_points(const PosedSphere& a, const PosedSphere& b) {
-  return depth_for(in_world(a), in_world(b));
-}
+Penetration depth_of_points(const PosedSphere& a, const PosedSphere& b) { return depth_for(in_world(a), in_world(b)); }
 Penetration depth_of_point_segment(const PosedSphere& a, const PosedCapsule& b) {
   return depth_for(in_world(a), in_world(b));
 }
