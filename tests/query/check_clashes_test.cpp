@@ -68,8 +68,8 @@ TEST(CheckClashes, ThePointIsOfBoth) {
     const Pose pose = Pose::translation(apart, 0.2, 0.1);
     const PairAnswer pair = only_pair(gear, torus, pose, with_volume);
     ASSERT_TRUE(pair.common_point) << apart;
-    EXPECT_EQ(signed_distance(gear, *pair.common_point).side, Side::inside) << apart;
-    EXPECT_EQ(signed_distance(torus, *pair.common_point, {.pose = pose}).side, Side::inside) << apart;
+    EXPECT_EQ(signed_distance(*pair.common_point, gear).side, Side::inside) << apart;
+    EXPECT_EQ(signed_distance(*pair.common_point, torus, pose).side, Side::inside) << apart;
   }
 }
 
