@@ -61,7 +61,7 @@ TEST_F(CheckClashesOfCommand, WhatIsWithinTheToleranceIsListedAndIsNoClash) {
   EXPECT_EQ(found["tolerance"], 0.1);
   EXPECT_EQ(found["within_tolerance"], 1);
   EXPECT_EQ(pair_of(found, "bolt 1")["tolerance"], "within");
-  EXPECT_EQ(pair_of(found, "bolt 1")["penetration"]["upper"], 0.0625);
+  EXPECT_NEAR(pair_of(found, "bolt 1")["penetration"]["upper"].get<double>(), 0.0625, 1e-9);
   EXPECT_EQ(pair_of(found, "bolt 2")["tolerance"], "beyond");
   EXPECT_FALSE(pair_of(found, "c").contains("tolerance"));
   EXPECT_EQ(check({"--tolerance", "0.1mm", "--touching", "ignore"}).exit_code, 1);

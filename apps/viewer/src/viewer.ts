@@ -72,6 +72,7 @@ export class Viewer {
   readonly review = new Review();
   readonly measure: Measure;
   section: Section | undefined;
+  private framed: { target: Vector3; distance: number } | undefined; // by the last frame
   private isCloseUp = true; // the place of what is chosen is framed, and not its objects
 
   constructor(readonly data: PageData) {
@@ -493,11 +494,15 @@ export class Viewer {
 
   frame(): void {
     this.stage.frameBox(this.placeToFrame());
+    const { target, distance } = this.stage.orbit.place;
+    this.framed = { target: target.clone(), distance };
   }
 
-  /// From the place of what is chosen to its objects, and back.
+  /// Frames what is chosen anew; where it is framed already, goes from its place to its objects, and back.
   fit(): void {
-    this.isCloseUp = !this.isCloseUp;
+    const { target, distance } = this.stage.orbit.place;
+    const isFramed = this.framed?.target.equals(target) && this.framed.distance === distance;
+    if (isFramed && this.chosen?.place) this.isCloseUp = !this.isCloseUp;
     this.frame();
   }
 
