@@ -61,7 +61,7 @@ std::span<const PosedPart> PlacedRobot::posed(Index number) {
   return posed.parts;
 }
 
-std::span<const PosedPart> PlacedRobot::posed_other(const BodyPair& pair) {
+std::span<const PosedPart> PlacedRobot::posed_other(const RobotBodyPair& pair) {
   return pair.with_part ? std::span(scene_.parts).subspan(pair.other, 1) : posed(pair.other);
 }
 
@@ -76,12 +76,12 @@ const PosedPolytope* PlacedRobot::convex_around(Index number) {
   return parts.size() == 1 ? std::get_if<PosedPolytope>(&parts[0].shape) : nullptr;
 }
 
-bool PlacedRobot::has_hull(const BodyPair& pair) const {
+bool PlacedRobot::has_hull(const RobotBodyPair& pair) const {
   return scene_.body_hulls[pair.body] ||
          (pair.with_part ? scene_.part_hulls[pair.other] : scene_.body_hulls[pair.other]);
 }
 
-double PlacedRobot::hull_gap(const BodyPair& pair, double enough, SimplexCache* kept) {
+double PlacedRobot::hull_gap(const RobotBodyPair& pair, double enough, SimplexCache* kept) {
   const PosedPolytope* other = pair.with_part ? scene_.convex_around(pair.other) : convex_around(pair.other);
   const PosedPolytope* body = other == nullptr ? nullptr : convex_around(pair.body);
   if (body == nullptr) return 0;
@@ -90,7 +90,7 @@ double PlacedRobot::hull_gap(const BodyPair& pair, double enough, SimplexCache* 
   return std::max(0.0, certain_gap(*body, *other, (enough + slack) * (1 + 0x1p-40), kept).length - slack);
 }
 
-bool PlacedRobot::overlap(const BodyPair& pair) {
+bool PlacedRobot::overlap(const RobotBodyPair& pair) {
   const std::span<const PosedPart> parts_a = posed(pair.body), parts_b = posed_other(pair);
   for (const PosedPart& a : parts_a)
     for (const PosedPart& b : parts_b) {
@@ -100,7 +100,7 @@ bool PlacedRobot::overlap(const BodyPair& pair) {
   return false;
 }
 
-std::optional<Nearby> PlacedRobot::nearby(const BodyPair& pair, const WantedDistance& wanted) {
+std::optional<Nearby> PlacedRobot::nearby(const RobotBodyPair& pair, const WantedDistance& wanted) {
   const std::span<const PosedPart> parts_a = posed(pair.body), parts_b = posed_other(pair);
   std::optional<Nearby> nearest;
   for (const PosedPart& a : parts_a)
@@ -117,7 +117,7 @@ std::optional<Nearby> PlacedRobot::nearby(const BodyPair& pair, const WantedDist
   return nearest;
 }
 
-bool PlacedRobot::certainly_meet(const BodyPair& pair) const {
+bool PlacedRobot::certainly_meet(const RobotBodyPair& pair) const {
   const auto& bodies = scene_.robot.bodies();
   const double slack = boxes_[pair.body].slack + box_of_other(pair).slack;
   const auto frame_of = [&](Index body) -> const Pose& {
@@ -136,15 +136,15 @@ bool PlacedRobot::certainly_meet(const BodyPair& pair) const {
   });
 }
 
-bool PlacedRobot::are_met(const BodyPair& pair) {
+bool PlacedRobot::are_met(const RobotBodyPair& pair) {
   if (certainly_apart(pair, 0)) return false;
   return certainly_meet(pair) || ((!has_hull(pair) || hull_gap(pair, 0) == 0) && overlap(pair));
 }
 
-bool PlacedRobot::are_met_within_hulls(const BodyPair& pair) { return certainly_meet(pair) || overlap(pair); }
+bool PlacedRobot::are_met_within_hulls(const RobotBodyPair& pair) { return certainly_meet(pair) || overlap(pair); }
 
 /// Whether the pair certainly meets. Where that is not known, and neither that it is apart, it waits.
-bool PlacedRobot::meets_at_sight(const BodyPair& pair) {
+bool PlacedRobot::meets_at_sight(const RobotBodyPair& pair) {
   if (certainly_apart(pair, 0)) return false;
   if (certainly_meet(pair)) {
     met_last_ = pair;
@@ -163,7 +163,7 @@ bool PlacedRobot::body_meets_at_sight(Index body) {
   return meets;
 }
 
-bool PlacedRobot::meets_after_waiting(const BodyPair& pair) {
+bool PlacedRobot::meets_after_waiting(const RobotBodyPair& pair) {
   if ((has_hull(pair) && hull_gap(pair, 0) > 0) || !overlap(pair)) return false;
   met_last_ = pair;
   return true;
@@ -177,16 +177,16 @@ bool PlacedRobot::meets() {
     if (scene_.body_rests[i] == 0 && body_meets_at_sight(static_cast<Index>(i))) return true;
   if (std::ranges::any_of(scene_.self_pairs, [&](const SelfPair& self) { return meets_at_sight(self.pair); }))
     return true;
-  return std::ranges::any_of(waiting_, [&](const BodyPair& pair) { return meets_after_waiting(pair); });
+  return std::ranges::any_of(waiting_, [&](const RobotBodyPair& pair) { return meets_after_waiting(pair); });
 }
 
 std::vector<RobotContact> PlacedRobot::contacts(ContactsTold told) {
   struct Candidate {
     RobotContact contact;
-    BodyPair pair;
+    RobotBodyPair pair;
   };
   std::vector<Candidate> candidates;
-  const auto add = [&](const BodyPair& pair) {
+  const auto add = [&](const RobotBodyPair& pair) {
     if (!certainly_apart(pair, 0)) candidates.push_back({scene_.contact_of(pair), pair});
   };
   for (const SelfPair& self : scene_.self_pairs) add(self.pair);

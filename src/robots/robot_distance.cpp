@@ -39,13 +39,13 @@ class NearestRobotPair {
     return upper == 0 ? 0 : std::min(std::nextafter(upper * (1 + 0x1p-38), infinity), max_distance_);
   }
 
-  void look_at(const BodyPair& pair) {
+  void look_at(const RobotBodyPair& pair) {
     if (placed_.certainly_apart(pair, limit()) || (least_ && placed_.hull_gap(pair, limit()) > limit())) return;
     const std::optional<Nearby> near = placed_.nearby(pair, {.limit = limit()});
     if (near && near->is_within) keep({scene_.contact_of(pair), near->distance, pair.body, other_body_of(pair), {}});
   }
 
-  static Index other_body_of(const BodyPair& pair) { return pair.with_part ? 0 : pair.other; }
+  static Index other_body_of(const RobotBodyPair& pair) { return pair.with_part ? 0 : pair.other; }
 
   void keep(RobotDistance found) {
     const auto order = [](const RobotDistance& d) {

@@ -60,7 +60,7 @@ class EdgeSearch {
 
  private:
   struct OpenPair {
-    BodyPair pair;
+    RobotBodyPair pair;
     const SelfPair* self;  ///< none with a part of an obstacle
     SimplexCache kept;     ///< where the last look at their hulls ended: a hint
   };
@@ -75,7 +75,7 @@ class EdgeSearch {
 
   struct Unclear {
     double begin, end;
-    BodyPair pair;
+    RobotBodyPair pair;
   };
 
   enum class InStretch : std::uint8_t { free, open, meets };
@@ -226,7 +226,7 @@ class EdgeSearch {
     bodies_.resize(body_count);
   }
 
-  [[nodiscard]] BodyPair least_open(std::size_t first) const {
+  [[nodiscard]] RobotBodyPair least_open(std::size_t first) const {
     const auto contact_of = [&](const OpenPair& open) { return scene_.contact_of(open.pair); };
     return std::ranges::min(std::span(pairs_).subspan(first), {}, contact_of).pair;
   }

@@ -182,7 +182,7 @@ class SceneMaking {
     std::set<RobotContact> contacts;
     for (Index body = 0; body < robot().bodies().size(); ++body)
       for (Index part = 0; part < made_->parts.size() && made_->body_rests[body] != 0; ++part) {
-        const BodyPair pair{body, true, part};
+        const RobotBodyPair pair{body, true, part};
         if (!made_->is_allowed(body, part) && !placed.certainly_apart(pair, 0) && placed.overlap(pair))
           contacts.insert(made_->contact_of(pair));
       }

@@ -18,7 +18,7 @@
 namespace toccata {
 
 /// A body and what it is asked about with: another body, or a part of an obstacle.
-struct BodyPair {
+struct RobotBodyPair {
   Index body = 0;
   bool with_part = false;
   Index other = 0;
@@ -27,7 +27,7 @@ struct BodyPair {
 /// Two bodies that are looked at, the first of the lesser link; and how many frames either hangs on that the other does
 /// not.
 struct SelfPair {
-  BodyPair pair;
+  RobotBodyPair pair;
   std::size_t frames_of_body = 0;
   std::size_t frames_of_other = 0;
 };
@@ -68,7 +68,7 @@ struct RobotScene::Made {
   [[nodiscard]] bool is_allowed(Index body_number, Index part) const {
     return allowed_with_obstacle[body(body_number).link * obstacles.size() + part_obstacle[part]] != 0;
   }
-  [[nodiscard]] RobotContact contact_of(const BodyPair& pair) const {
+  [[nodiscard]] RobotContact contact_of(const RobotBodyPair& pair) const {
     const Index link = body(pair.body).link;
     return pair.with_part ? RobotContact{link, true, part_obstacle[pair.other]}
                           : RobotContact{link, false, body(pair.other).link};

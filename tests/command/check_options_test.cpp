@@ -129,8 +129,9 @@ TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
       {"--poses", "--rules"},        {"--poses", "--self"},        {"--poses", "--sort"},
       {"--precision", "--self"},     {"--rules", "--self"},        {"--self", "--solid"},
       {"--self", "--sort"},          {"--self", "--time-limit"},   {"--self", "--touching"},
-      {"--group", "--poses"},        {"--group", "--self"},        {"--poses", "--tolerance"},
-      {"--self", "--tolerance"},     {"--poses", "--volume"},      {"--self", "--volume"}};
+      {"--group", "--stream"},       {"--group", "--poses"},       {"--group", "--self"},
+      {"--poses", "--tolerance"},    {"--self", "--tolerance"},    {"--poses", "--volume"},
+      {"--self", "--volume"}};
   std::size_t pairs = 0;
   for (auto one = samples().begin(); one != samples().end(); ++one)
     for (auto other = std::next(one); other != samples().end(); ++other) {

@@ -110,14 +110,14 @@ def check_view(checks, browser):
 
 
 def check_calls(checks, browser):
-    """A call for each layer of the finding that is looked at."""
+    """A call for each layer of the finding that is looked at, and one for the frame of its place."""
     kinds = browser.value("toccata.data.header.layers.filter(layer => layer.finding === toccata.state.finding).map(layer => layer.kind)")
     checks.expect({"segments", "arrows", "triangles", "faces", "points"} <= set(kinds), f"layers of many kinds: {kinds}")
     drawn = browser.value("toccata.stage.overlays.children.length")
-    checks.expect(drawn == len(kinds), f"{drawn} drawings for {len(kinds)} layers")
-    gears, ghosts, grid = 1, 1, 1
+    checks.expect(drawn == len(kinds) + 1, f"{drawn} drawings for {len(kinds)} layers and a frame")
+    gears, ghosts, grid, frame = 1, 1, 1, 1
     calls = browser.value("toccata.stage.renderer.info.render.calls")
-    checks.expect(calls == gears + ghosts + grid + len(kinds), f"{calls} drawing calls for gears, ghosts, grid and {kinds}")
+    checks.expect(calls == gears + ghosts + grid + frame + len(kinds), f"{calls} drawing calls for gears, ghosts, grid, frame and {kinds}")
 
 
 def check_wicked_names(checks, browser):
