@@ -14,6 +14,7 @@
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/generate/meshes.hpp"
 #include "toccata/query/contacts.hpp"
 
 namespace toccata {
@@ -121,6 +122,22 @@ TEST(PosedMesh, BoxLeavesOutUnusedVertices) {
   const PosedMesh posed(model, Pose::translation(1, 2, 3));
   EXPECT_TRUE(contains(posed.box(), {{1, 2, 3}, {2, 3, 3}}));
   EXPECT_TRUE(contains({{0.999, 1.999, 2.999}, {2.001, 3.001, 3.001}}, posed.box()));
+}
+
+// Two rods side by side, askew in the world, so that the boxes around them meet there.
+TEST(Overlap, PairsThatTheirTurnedBoxesTellApartAreNotWalked) {
+  const Model rod(box_mesh({4, 0.1, 0.1}));
+  const Mat3 askew = rotation_about({0, 0, 1}, 45);
+  const auto query_at = [&](double apart) {
+    return PairQuery{.pose_a = {askew, {}}, .pose_b = {askew, apart * askew.column(1)}};
+  };
+  Workspace workspace;
+  EXPECT_FALSE(overlap(rod, rod, query_at(1), workspace));
+  EXPECT_EQ(workspace.counts().volume_tests, 1U);
+  EXPECT_TRUE(contacts(rod, rod, query_at(1), workspace).empty());
+  EXPECT_EQ(workspace.counts().volume_tests, 1U);
+  EXPECT_TRUE(overlap(rod, rod, query_at(0.15), workspace));
+  EXPECT_GT(workspace.counts().volume_tests, 1U);
 }
 
 }  // namespace

@@ -15,14 +15,24 @@ namespace {
 // A yes or no is often settled by the first pairs that are found.
 constexpr std::size_t small_batch = 8;
 
+/// By the turned boxes of the wholes, which tell most pairs apart that are, before anything is made ready for a walk.
+bool are_told_apart(const PairCull& cull, const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+  if (!cull.disjoint(a.model().wide_bvh().box, b.model().wide_bvh().box)) return false;
+  scratch.counts.volume_tests = 1;
+  return true;
+}
+
 void run(const PosedMesh& a, const PosedMesh& b, std::size_t first_batch, SearchScratch& scratch,
          WideVisitor& visitor) {
   scratch.counts = {};
   if (!overlap(a.box(), b.box())) return;
-  const MeshWalk walk(a, b);
+  const PairCull cull(a, b);
+  if (are_told_apart(cull, a, b, scratch)) return;
+  const WideCull constants = wide_cull(cull, a, b);
+  const WideWalk walk(a.model().wide_bvh(), b.model().wide_bvh(), constants);
   WideFrontier& frontier = scratch.main.frontier;
-  walk->start(frontier, first_batch);
-  walk->run(frontier, visitor);
+  walk.start(frontier, first_batch);
+  walk.run(frontier, visitor);
   scratch.counts = frontier.counts;
 }
 
@@ -82,7 +92,9 @@ std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b
     order_contacts(a, b, scratch, threads);
   } else {
     on_threads(threads, [&] {
-      find_on_threads(a, b, scratch, threads);
+      scratch.counts = {};
+      if (!overlap(a.box(), b.box()) || !are_told_apart(PairCull(a, b), a, b, scratch))
+        find_on_threads(a, b, scratch, threads);
       order_contacts(a, b, scratch, threads);
     });
   }
