@@ -193,6 +193,31 @@ std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const P
   return is_nearest ? std::optional(facet->separation) : std::nullopt;
 }
 
+/// The corner of the formula that is farthest along a direction.
+Vec3 farthest_point(const BoxView& box, const Vec3& direction) {
+  Vec3 point = box.box->centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 axis = box.axis(k);
+    point = point + std::copysign(box.half_extent(k), dot(axis, direction)) * axis;
+  }
+  return point;
+}
+
+/// Of boxes that an axis parts, which needs neither the nearest points nor the way between them.
+CoreSeparation parted_along(const BoxView& a, const BoxView& b, Index axis) {
+  const Vec3 way = b.box->centre - a.box->centre;
+  CoreSeparation separation;
+  if (axis >= 6)
+    separation.direction = direction_of_edges(a, b, (axis - 6) / 3, (axis - 6) % 3);
+  else if (axis >= 3)
+    separation.direction = direction_of_face(b, axis - 3, dot(b.axis(axis - 3), way));
+  else
+    separation.direction = direction_of_face(a, axis, dot(a.axis(axis), way));
+  separation.on_a = farthest_point(a, separation.direction);
+  separation.on_b = farthest_point(b, -separation.direction);
+  return separation;
+}
+
 }  // namespace
 
 std::optional<bool> is_order_of_centres(const BoxView& a, const BoxView& b) {
@@ -251,7 +276,9 @@ EdgePoints points_of_edges(const BoxView& a, const BoxView& b, const ChosenBoxAx
 std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach_of_radii) {
   if (!is_rigid_and_plain(a) || !is_rigid_and_plain(b)) return {};
   RigidBoxAxes axes;
-  if (nearness_of_rigid_boxes(a, b, axes) != Nearness::meet) return {};
+  const Nearness nearness = nearness_of_rigid_boxes(a, b, axes);
+  if (nearness == Nearness::apart && reach_of_radii == 0) return parted_along(a, b, axes.parting);
+  if (nearness != Nearness::meet) return {};
   const ChosenBoxAxis axis = least_axis(a, b, axes, 1);
   const Vec3 d = b.box->centre - a.box->centre, &n = axis.direction;
   const double both = reach(a, n) + reach(b, n), way = dot(n, d), depth = both - way;

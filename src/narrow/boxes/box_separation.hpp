@@ -40,7 +40,8 @@ struct EdgePoints {
 [[nodiscard]] Index farthest_corner(const BoxView& box, const Vec3& direction);
 
 /// Nothing when the boxes are not certain to meet, or the bracket would be wider than it may be for boxes grown by
-/// `reach` in sum. In canonical order of the two.
+/// `reach` in sum. Of boxes without radii that are certainly apart, a direction that parts them, and their corners that
+/// are farthest along it. In canonical order of the two.
 [[nodiscard]] std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach);
 
 /// In any order; nothing where one is no box, too.

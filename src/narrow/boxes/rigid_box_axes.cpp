@@ -201,6 +201,17 @@ HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& erro
   return error.error < 0x1p1000 && !is_any(all <= row_of(error.error)) ? Nearness::meet : Nearness::unknown;
 }
 
+/// Of boxes that are apart. Where no face parts them all axes have been filled in.
+HWY_INLINE Index place_of_parting(const AxesInRows& axes, double error) {
+  const auto apart = [&](const Row& overlap, unsigned first) {
+    return (bits_of(overlap < row_of(-error)) & 7U) << first;
+  };
+  const unsigned faces = apart(axes.overlap_a, 0) | apart(axes.overlap_b, 3);
+  if (faces != 0) return first_of(faces);
+  return first_of(apart(axes.edge_overlap[0], 6) | apart(axes.edge_overlap[1], 9) | apart(axes.edge_overlap[2], 12) |
+                  1U << 14);
+}
+
 HWY_INLINE double sizes_of(const TwoBoxes& boxes) {
   return sum_of_three((boxes.row_a + boxes.row_b) + magnitude(boxes.way));
 }
@@ -246,7 +257,10 @@ Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes
   const AxesError error = error_of(a, b, boxes);
   AxesInRows axes;
   const Nearness nearness = look_along_axes(boxes, error, axes);
-  if (nearness == Nearness::apart) return nearness;
+  if (nearness == Nearness::apart) {
+    if (storing == Storing::always) stored.parting = place_of_parting(axes, error.error);
+    return nearness;
+  }
   if (storing == Storing::always || nearness == Nearness::unknown) store_all(axes, error.error, stored);
   if (storing == Storing::always) {
     stored.least_face = place_of_least_face(axes);

@@ -54,6 +54,8 @@ struct RigidBoxAxes {
   // Of equals the first. Depths are overlaps per length of the axis.
   Index least_face;   ///< of the three of A, then of B
   Index least_edges;  ///< 3 · edge of A + edge of B; a nearly parallel pair only where there is no other
+  /// Of boxes that are apart this alone: an axis that parts them; a face as above, or 6 more than an edge pair.
+  Index parting;
 
   /// The square of the sine of the angle between edges.
   [[nodiscard]] double squared_sine(std::size_t i, std::size_t j) const {
@@ -74,7 +76,7 @@ enum class Storing { where_unsure, always };
 /// Likewise of boxes that nobody has posed. If they are found to meet or apart, both can be posed.
 [[nodiscard]] Nearness nearness_of_boxes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 
-/// All of the axes, if the boxes are not certainly apart.
+/// All of the axes, if the boxes are not certainly apart; else one that parts them.
 [[nodiscard]] Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes);
 
 }  // namespace toccata

@@ -217,9 +217,10 @@ Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes&
   return made_of(axis.direction, points);
 }
 
+/// Of shapes that meet.
 ConvexSeparation part_shapes(const PosedPolytope& a, const PosedPolytope& b) {
-  if (a.radius() > 0 || b.radius() > 0)
-    if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return *aligned;
+  if (a.radius() == 0 && b.radius() == 0) return part_meeting_cores(a, b);
+  if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return *aligned;
   return part_by_expansion(a, b);
 }
 

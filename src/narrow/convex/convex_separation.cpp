@@ -22,6 +22,10 @@ Penetration offset_outward(const CoreSeparation& core, double radius_a, double r
 
 ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b) {
   if (const std::optional<ConvexSeparation> apart = part_apart_cores(a, b)) return *apart;
+  return part_meeting_cores(a, b);
+}
+
+ConvexSeparation part_meeting_cores(const PosedPolytope& a, const PosedPolytope& b) {
   const CoreSeparation core = part_cores_by_expansion(a, b, a.radius() + b.radius());
   if (core.kind == CoreSeparation::Kind::deep) return {offset_outward(core, a.radius(), b.radius()), core.pairs};
   if (core.kind == CoreSeparation::Kind::apart && a.radius() == 0 && b.radius() == 0)

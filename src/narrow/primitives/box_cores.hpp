@@ -182,34 +182,50 @@ HWY_INLINE OneVector face_normal(const Mat3& axes, std::size_t axis) {
   return scaled(1 / std::sqrt(first_of(dot(normal, normal))), normal);
 }
 
-/// The way out of the box's core, where one face is certainly the nearest.
+/// The way of a core out of the box's, where one is certainly the shortest.
 struct WayOut {
+  OneVector from;      ///< the point of the core that is the deepest
   OneVector outwards;  ///< unit
-  double depth = 0;    ///< of the core
+  double depth = 0;
   double error = 0;
-  ConvexFeature face;
+  ConvexFeature feature_a, feature_b;
   bool is_known = false;
 };
 
-/// Along the normal of the face that is seen to be the nearest the box reaches as far as its edges tell; the other five
-/// are farther by more than the frame is off. Sums of products are off by less than 2^-50 of the sizes.
+/// How far the box reaches along a direction: it is told from the direction as it is rounded, so that sums of products
+/// alone are off, by less than 2^-50 of the sizes, and corners by the slack.
 template <class Corners>
-HWY_INLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& from_centre) {
-  WayOut way;
+HWY_INLINE double reach_along(const OneBlock<Corners>& block, const OneVector& direction) {
+  return first_of(dot(block.half, magnitudes_of(block.local(direction))));
+}
+template <class Corners>
+HWY_INLINE double reach_error(const OneBlock<Corners>& block, const OneVector& sizes) {
+  return 0x1p-49 * first_of(sum_of(plus(sizes, block.half))) + block.slack;
+}
+
+/// The face's normal towards the side on which the number is positive.
+template <class Corners>
+HWY_INLINE OneVector outward_normal(const OneBlock<Corners>& block, std::size_t axis, double side) {
+  const OneVector normal = face_normal(block.axes, axis);
+  return (numbers_of(block.local(normal))[axis] > 0) == (side > 0) ? normal : negative(normal);
+}
+
+/// Of a point, through the face that is seen to be the nearest; the other five are farther by more than the frame is
+/// off.
+template <class Corners>
+HWY_INLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point,
+                          const OneVector& from_centre) {
   const std::size_t k = b.across;
-  bool is_least = true;
+  bool is_least = (std::fabs(b.at[k]) > 4 * b.error) & (b.beyond[k] < -4 * b.error);
   for (std::size_t other = 0; other < 3; ++other)
     is_least = is_least & ((other == k) | (b.beyond[other] < b.beyond[k] - 4 * b.error));
-  is_least = is_least & (std::fabs(b.at[k]) > 4 * b.error) & (b.beyond[k] < -4 * b.error);
-  OneVector normal = face_normal(block.axes, k);
-  const ThreeNumbers along = numbers_of(block.local(normal));
-  if ((along[k] > 0) != (b.at[k] > 0)) normal = negative(normal);
-  double reach = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) reach += b.half[axis] * std::fabs(along[axis]);
-  way.outwards = normal;
-  way.depth = reach - first_of(dot(normal, from_centre));
-  way.error = 0x1p-49 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) + block.slack;
-  way.face = box_feature_at[7U ^ 1U << k][b.corner()];
+  WayOut way;
+  way.from = point;
+  way.outwards = outward_normal(block, k, b.at[k]);
+  way.depth = reach_along(block, way.outwards) - first_of(dot(way.outwards, from_centre));
+  way.error = reach_error(block, magnitudes_of(from_centre));
+  way.feature_a = only_vertex;
+  way.feature_b = box_feature_at[7U ^ 1U << k][b.corner()];
   way.is_known = is_least;
   return way;
 }
@@ -336,6 +352,94 @@ HWY_INLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners
                                          bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
+}
+
+// A segment that reaches into a box: it leaves through a face, or across an edge of the box. These are all facets that
+// the difference of the two has.
+
+/// Depths along the six axes in the box's frame, of which all but the least are only compared with that.
+struct RodAxes {
+  std::array<double, 6> depth;    ///< of the faces, then of the edges
+  std::array<double, 6> side;     ///< its sign tells to which side the segment leaves
+  double least_sine_squared = 1;  ///< of the angle between the segment and an edge
+  std::size_t least = 0;
+  double next = HUGE_VAL;  ///< the depth but for the least
+};
+
+HWY_INLINE RodAxes axes_of_rod(const ThreeNumbers& at, const ThreeNumbers& way, const ThreeNumbers& half) {
+  RodAxes axes;
+  const double squared = (way[0] * way[0] + way[1] * way[1]) + way[2] * way[2];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+    const double end = at[k] + way[k], low = at[k] < end ? at[k] : end, high = at[k] < end ? end : at[k];
+    axes.side[k] = low + high;
+    axes.depth[k] = low + high > 0 ? half[k] - low : half[k] + high;
+    const double across = way[m] * way[m] + way[n] * way[n], offset = way[m] * at[n] - way[n] * at[m];
+    axes.side[3 + k] = offset;
+    axes.depth[3 + k] =
+        ((half[m] * std::fabs(way[n]) + half[n] * std::fabs(way[m])) - std::fabs(offset)) / std::sqrt(across);
+    axes.least_sine_squared = std::fmin(axes.least_sine_squared, across / squared);
+  }
+  for (std::size_t i = 1; i < 6; ++i) axes.least = axes.depth[i] < axes.depth[axes.least] ? i : axes.least;
+  for (std::size_t i = 0; i < 6; ++i)
+    axes.next = i != axes.least && axes.depth[i] < axes.next ? axes.depth[i] : axes.next;
+  return axes;
+}
+
+/// Through a face with the end that is deeper by enough to be the only one.
+template <class Corners>
+HWY_INLINE WayOut way_through_face(const OneRod& a, const OneBlock<Corners>& b, std::size_t axis, double side) {
+  WayOut way;
+  way.outwards = outward_normal(b, axis, side);
+  const OneVector start = minus(a.start, b.centre), end = minus(a.end, b.centre);
+  const double at_start = first_of(dot(way.outwards, start)), at_end = first_of(dot(way.outwards, end));
+  const bool starts = at_start < at_end;
+  way.from = select(starts, a.start, a.end);
+  way.depth = reach_along(b, way.outwards) - (starts ? at_start : at_end);
+  way.error = reach_error(b, plus(magnitudes_of(start), magnitudes_of(end)));
+  way.is_known = std::fabs(at_end - at_start) > 0x1p-20 * (way.depth + std::fabs(at_start));
+  return way;
+}
+
+/// Across an edge: the point of the segment is the one that is nearest to the edge's line.
+template <class Corners>
+HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock<Corners>& b, std::size_t axis, double sine_squared) {
+  const int k = static_cast<int>(axis);
+  const OneVector edge = in_one(b.axes[0][k], b.axes[1][k], b.axes[2][k]), along = minus(a.end, a.start),
+                  from = minus(a.start, b.centre), normal = cross(edge, along);
+  WayOut way;
+  const double turn = first_of(dot(normal, from)) < 0 ? -1 : 1;
+  way.outwards = scaled(turn / std::sqrt(first_of(dot(normal, normal))), normal);
+  const double at_start = first_of(dot(way.outwards, from)),
+               at_end = first_of(dot(way.outwards, minus(a.end, b.centre)));
+  way.depth = reach_along(b, way.outwards) - (at_start < at_end ? at_start : at_end);
+  const OneVector sizes = plus(magnitudes_of(from), magnitudes_of(along));
+  way.error = reach_error(b, sizes) * (1 + 1 / std::sqrt(sine_squared));
+  // The edge's line passes through this, seen from the centre.
+  ThreeNumbers to_edge = numbers_of(b.local(way.outwards));
+  const ThreeNumbers half = numbers_of(b.half);
+  for (std::size_t i = 0; i < 3; ++i) to_edge[i] = i == axis ? 0 : std::copysign(half[i], to_edge[i]);
+  const OneVector beside = minus(b.turned(in_one(to_edge[0], to_edge[1], to_edge[2])), from),
+                  across = minus(along, scaled(first_of(dot(along, edge)), edge));
+  const double share = clamped_to_share(first_of(dot(beside, across)) / first_of(dot(across, across)));
+  way.from = plus(a.start, scaled(share, along));
+  way.is_known = true;
+  return way;
+}
+
+/// Along the axis that is the least in the frame, which is off by 2^-40 of the sizes over the sine; the other five are
+/// deeper by more than that.
+template <class Corners>
+HWY_INLINE WayOut way_out(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod) {
+  const ThreeNumbers local = numbers_of(b.local(minus(a.start, b.centre)));
+  const RodAxes axes = axes_of_rod(local, rod.way, rod.nearest.half);
+  const bool is_face = axes.least < 3;
+  WayOut way = is_face ? way_through_face(a, b, axes.least, axes.side[axes.least])
+                       : way_across_edge(a, b, axes.least - 3, axes.least_sine_squared);
+  const double margin = 512 * rod.nearest.error;
+  way.is_known = way.is_known & (axes.least_sine_squared > 0x1p-12) & (axes.next > axes.depth[axes.least] + margin) &
+                 (std::fabs(axes.side[axes.least]) > (is_face ? margin : 0));
+  return way;
 }
 
 }  // namespace

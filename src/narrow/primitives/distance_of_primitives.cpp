@@ -11,13 +11,6 @@ PosedSphere ball_of(const PosedPolytope& shape) { return {shape.vertex(0), shape
 PosedCapsule rod_of(const PosedPolytope& shape) { return {shape.vertex(0), shape.vertex(1), shape.radius()}; }
 
 /// With more digits only where they are needed.
-template <class A, class B>
-Distance distance_of_round(const A& a, const B& b) {
-  Distance found = formula_distance(a, b);
-  if (!is_known(found)) found = close_formula_distance(a, b);
-  return found;
-}
-
 Distance of_point_box(const PosedSphere& a, const PosedPolytope& b) {
   Distance found = formula_distance(a, RoundBox{{b.along(0), b.along(1), b.along(2)}, b.radius()});
   if (!is_known(found) && a.radius + b.radius() > 0) found = close_formula_distance(a, b);
@@ -28,9 +21,9 @@ Distance of_point(const PosedPolytope& a, const PosedPolytope& b) {
   const PosedSphere point = ball_of(a);
   switch (b.vertex_count()) {
     case 1:
-      return distance_of_round(point, ball_of(b));
+      return formula_distance(point, ball_of(b));
     case 2:
-      return distance_of_round(point, rod_of(b));
+      return formula_distance(point, rod_of(b));
     case 3:
       return formula_distance(point, Triangle{{b.vertex(0), b.vertex(1), b.vertex(2)}}, b.radius());
     default:
@@ -63,9 +56,10 @@ Distance distance_of_primitives(const PosedPolytope& a, const PosedPolytope& b) 
     return distance;
   }
   if (a.vertex_count() != 2 && b.vertex_count() != 2) return unknown_distance();
-  if (a.vertex_count() == 2 && b.vertex_count() == 2) return distance_of_round(rod_of(a), rod_of(b));
-  return asked_of_round(
-      a, b, [](const auto& x, const auto& y) { return close_formula_distance(x, y); }, unknown_distance());
+  if (a.vertex_count() == 2 && b.vertex_count() == 2) return formula_distance(rod_of(a), rod_of(b));
+  if (a.radius() + b.radius() == 0) return unknown_distance();
+  if (a.vertex_count() == 2) return is_box(b) ? close_formula_distance(rod_of(a), b) : unknown_distance();
+  return is_box(a) ? flipped(close_formula_distance(rod_of(b), a)) : unknown_distance();
 }
 
 Penetration depth_of_primitives(const PosedPolytope& a, const PosedPolytope& b) {

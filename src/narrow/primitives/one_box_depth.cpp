@@ -38,19 +38,19 @@ HWY_INLINE Penetration across_gap(const OneVector& on_a, double radius_a, const 
   return result;
 }
 
-/// Of a ball with its centre in the box.
-template <class Corners>
-HWY_INLINE Penetration depth_within(const OneBall& a, const OneBlock<Corners>& b, const WayOut& way) {
-  const double least = ((way.depth - way.error) + a.radius) + b.radius,
-               most = ((way.depth + way.error) + a.radius) + b.radius;
+/// Where a core reaches into the box's.
+HWY_INLINE Penetration depth_within(const WayOut& way, double radius_a, double radius_b) {
+  const double least = ((way.depth - way.error) + radius_a) + radius_b,
+               most = ((way.depth + way.error) + radius_a) + radius_b;
   Penetration result;
   result.lower = least - 0x1p-51 * least;
   result.upper = most + 0x1p-49 * most;
-  if (!(way.is_known & (result.upper - result.lower <= 0x1p-40 * result.upper))) return unknown_depth();
+  if (!(way.is_known & (way.depth > way.error) & (result.upper - result.lower <= 0x1p-40 * result.upper)))
+    return unknown_depth();
   const OneVector direction = negative(way.outwards);
   store(direction, result.direction);
-  store(plus(a.centre, scaled(a.radius, direction)), result.on_a);
-  store(plus(a.centre, scaled(way.depth + b.radius, way.outwards)), result.on_b);
+  store(plus(way.from, scaled(radius_a, direction)), result.on_a);
+  store(plus(way.from, scaled(way.depth + radius_b, way.outwards)), result.on_b);
   return result;
 }
 
@@ -60,7 +60,7 @@ HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return across_gap(a.centre, a.radius, b, at);
-  if (!contact.is_outside) return depth_within(a, b, way_out(b, at, from));
+  if (!contact.is_outside) return depth_within(way_out(b, at, a.centre, from), a.radius, b.radius);
   bool is_certain = false;
   const GrownCores<2, 1> cores = cores_beside(a, b, at, is_certain);
   Penetration depth = depth_of(cores);
@@ -76,7 +76,7 @@ HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
     const OneVector on_a = plus(a.start, scaled(rod.share, minus(a.end, a.start)));
     return across_gap(on_a, a.radius, b, rod.nearest);
   }
-  if (!contact.is_outside) return unknown_depth();
+  if (!contact.is_outside) return depth_within(way_out(a, b, rod), a.radius, b.radius);
   bool is_certain = false;
   const GrownCores<2, 2> cores = cores_beside(a, b, rod, is_certain);
   Penetration depth = depth_of(cores);
@@ -109,17 +109,16 @@ HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
 
 // Contact points.
 
-template <class Corners>
-HWY_INLINE Manifold manifold_within(const OneBall& a, const OneBlock<Corners>& b, const WayOut& way) {
+HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double radius_b) {
   if (!way.is_known) return unknown_manifold();
   Manifold result;
   result.count = 1;
   store(negative(way.outwards), result.normal);
   ManifoldPoint& point = result.points[0];
-  store(plus(a.centre, scaled(0.5 * ((way.depth + b.radius) - a.radius), way.outwards)), point.position);
-  point.depth = way.depth + (a.radius + b.radius);
-  point.on_a = only_vertex;
-  point.on_b = way.face;
+  store(plus(way.from, scaled(0.5 * ((way.depth + radius_b) - radius_a), way.outwards)), point.position);
+  point.depth = way.depth + (radius_a + radius_b);
+  point.on_a = way.feature_a;
+  point.on_b = way.feature_b;
   return result;
 }
 
@@ -129,7 +128,7 @@ HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return {};
-  if (!contact.is_outside) return manifold_within(a, b, way_out(b, at, from));
+  if (!contact.is_outside) return manifold_within(way_out(b, at, a.centre, from), a.radius, b.radius);
   bool is_certain = false;
   const GrownCores<2, 1> cores = cores_beside(a, b, at, is_certain);
   Manifold manifold = manifold_of(cores);

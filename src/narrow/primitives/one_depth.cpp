@@ -57,16 +57,6 @@ Manifold manifold_of_capsules(const Capsule& a, const Pose& pose_a, const Capsul
   return manifold_for(in_world(a, pose_a), in_world(b, pose_b));
 }
 
-Distance close_distance_of_points(const PosedSphere& a, const PosedSphere& b) {
-  return distance_for(in_world(a), in_world(b));
-}
-Distance close_distance_of_point_segment(const PosedSphere& a, const PosedCapsule& b) {
-  return distance_for(in_world(a), in_world(b));
-}
-Distance close_distance_of_segments(const PosedCapsule& a, const PosedCapsule& b) {
-  return distance_for(in_world(a), in_world(b));
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace toccata
 HWY_AFTER_NAMESPACE();
@@ -80,9 +70,6 @@ HWY_EXPORT(depth_of_segments);
 HWY_EXPORT(manifold_of_points);
 HWY_EXPORT(manifold_of_point_segment);
 HWY_EXPORT(manifold_of_segments);
-HWY_EXPORT(close_distance_of_points);
-HWY_EXPORT(close_distance_of_point_segment);
-HWY_EXPORT(close_distance_of_segments);
 HWY_EXPORT(depth_of_spheres);
 HWY_EXPORT(depth_of_sphere_capsule);
 HWY_EXPORT(depth_of_capsules);
@@ -108,16 +95,6 @@ Manifold formula_manifold(const PosedSphere& a, const PosedCapsule& b) {
 }
 Manifold formula_manifold(const PosedCapsule& a, const PosedCapsule& b) {
   return HWY_DYNAMIC_DISPATCH(manifold_of_segments)(a, b);
-}
-
-Distance close_formula_distance(const PosedSphere& a, const PosedSphere& b) {
-  return HWY_DYNAMIC_DISPATCH(close_distance_of_points)(a, b);
-}
-Distance close_formula_distance(const PosedSphere& a, const PosedCapsule& b) {
-  return HWY_DYNAMIC_DISPATCH(close_distance_of_point_segment)(a, b);
-}
-Distance close_formula_distance(const PosedCapsule& a, const PosedCapsule& b) {
-  return HWY_DYNAMIC_DISPATCH(close_distance_of_segments)(a, b);
 }
 
 // The formula's answer, or that of the general way.

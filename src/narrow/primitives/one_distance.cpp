@@ -10,6 +10,7 @@
 #include "narrow/boxes/box_corners.hpp"
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/convex/convex_of.hpp"
+#include "narrow/primitives/grown_cores.hpp"
 #include "narrow/primitives/pair_depths.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/offset_cores.hpp"
@@ -61,6 +62,17 @@ HWY_INLINE Distance answer_of(const OneFound& found) {
   answer.upper = first_of(found.upper);
   store(found.on_a, answer.on_a);
   store(found.on_b, answer.on_b);
+  return answer;
+}
+
+HWY_INLINE OneBall with_radius(const OnePoint& p) { return {p.centre, first_of(p.radius)}; }
+HWY_INLINE OneRod with_radius(const OneSegment& s) { return {s.start, s.end, first_of(s.radius)}; }
+
+/// With twice the digits, where doubles leave it open.
+template <class A, class B>
+HWY_INLINE Distance answer_of(const OneFound& found, const A& a, const B& b) {
+  Distance answer = answer_of(found);
+  if (!is_known(answer)) answer = distance_for(with_radius(a), with_radius(b));
   return answer;
 }
 
@@ -205,12 +217,15 @@ HWY_INLINE OneTriangle at_place(const Triangle& shape, const Pose& pose) {
   return {placing(shape[0]), placing(shape[1]), placing(shape[2])};
 }
 
+template <class A, class B>
+HWY_INLINE Distance distance_of_round(const A& a, const B& b) {
+  return answer_of(found_for(a, b), a, b);
+}
+
 }  // namespace
 
-Distance points(const PosedSphere& a, const PosedSphere& b) { return answer_of(found_for(ball_of(a), ball_of(b))); }
-Distance point_segment(const PosedSphere& a, const PosedCapsule& b) {
-  return answer_of(found_for(ball_of(a), rod_of(b)));
-}
+Distance points(const PosedSphere& a, const PosedSphere& b) { return distance_of_round(ball_of(a), ball_of(b)); }
+Distance point_segment(const PosedSphere& a, const PosedCapsule& b) { return distance_of_round(ball_of(a), rod_of(b)); }
 Distance point_triangle(const PosedSphere& a, const Triangle& b, double radius_b) {
   return answer_of(found_for(ball_of(a), {in_one(b[0]), in_one(b[1]), in_one(b[2])}, radius_b));
 }
@@ -218,18 +233,18 @@ Distance point_corners(const PosedSphere& a, const RoundBox& b) { return answer_
 Distance point_box(const PosedSphere& a, const PosedBox& b) {
   return answer_of(found_for(ball_of(a), b.shape, b.pose));
 }
-Distance segments(const PosedCapsule& a, const PosedCapsule& b) { return answer_of(found_for(rod_of(a), rod_of(b))); }
+Distance segments(const PosedCapsule& a, const PosedCapsule& b) { return distance_of_round(rod_of(a), rod_of(b)); }
 
 // Where something is not finite, no interval is narrow, and nothing is told.
 
 Distance distance_of_spheres(const Sphere& a, const Pose& pose_a, const Sphere& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return answer_of(nothing());
-  return answer_of(found_for(at_place(a, pose_a), at_place(b, pose_b)));
+  return distance_of_round(at_place(a, pose_a), at_place(b, pose_b));
 }
 
 Distance distance_of_sphere_capsule(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return answer_of(nothing());
-  return answer_of(found_for(at_place(a, pose_a), at_place(b, pose_b)));
+  return distance_of_round(at_place(a, pose_a), at_place(b, pose_b));
 }
 
 Distance distance_of_sphere_triangle(const Sphere& a, const Pose& pose_a, const Triangle& b, const Pose& pose_b) {
@@ -244,7 +259,7 @@ Distance distance_of_sphere_box(const Sphere& a, const Pose& pose_a, const Box& 
 
 Distance distance_of_capsules(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b) {
   if (!are_rigid(pose_a, pose_b)) return answer_of(nothing());
-  return answer_of(found_for(at_place(a, pose_a), at_place(b, pose_b)));
+  return distance_of_round(at_place(a, pose_a), at_place(b, pose_b));
 }
 
 }  // namespace HWY_NAMESPACE
@@ -280,14 +295,12 @@ Distance formula_distance(const PosedCapsule& a, const PosedCapsule& b) { return
 
 Distance distance(const PosedSphere& a, const PosedSphere& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(points)(a, b);
-  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
 
 Distance distance(const PosedSphere& a, const PosedCapsule& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(point_segment)(a, b);
-  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }
@@ -307,7 +320,6 @@ Distance distance(const PosedSphere& a, const PosedBox& b) {
 
 Distance distance(const PosedCapsule& a, const PosedCapsule& b) {
   Distance found = HWY_DYNAMIC_DISPATCH(segments)(a, b);
-  if (!is_known(found)) found = close_formula_distance(a, b);
   if (!is_known(found)) found = distance(convex_of(a), convex_of(b));
   return found;
 }

@@ -30,11 +30,7 @@ namespace toccata {
 [[nodiscard]] Manifold formula_manifold(const PosedSphere& a, const PosedPolytope& box);
 [[nodiscard]] Manifold formula_manifold(const PosedCapsule& a, const PosedPolytope& box);
 
-/// Of shapes that are apart, however little: where `formula_distance` would need more digits.
-[[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedSphere& b);
-[[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedCapsule& b);
-[[nodiscard]] Distance close_formula_distance(const PosedCapsule& a, const PosedCapsule& b);
-
+/// Of a box and what is apart from it, however little.
 [[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedPolytope& box);
 [[nodiscard]] Distance close_formula_distance(const PosedCapsule& a, const PosedPolytope& box);
 [[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedBox& b);

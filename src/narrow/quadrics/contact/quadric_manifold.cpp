@@ -67,7 +67,7 @@ ContactPatch patch_of_second(const PosedPolytope& shape, const QuadricBody&, con
   return patch_of(scaled, frame.factor * frame.origin, contact.at, -1, touching, memory);
 }
 
-/// Of what the longer way leaves undecided, that may have a quick proof of its own.
+/// Most of what is apart: it needs no contact, and the longer way may leave it undecided.
 template <class B>
 bool is_apart_fast(const PosedQuadric& a, const B& b, const PairFrame& frame) {
   return is_fast(a, b, frame) && FastPair(a, b, frame).is_apart();
@@ -76,10 +76,10 @@ bool is_apart_fast(const PosedQuadric& a, const B& b, const PairFrame& frame) {
 template <class B>
 Manifold manifold_of(const PosedQuadric& a, const B& b) {
   const PairFrame frame = pair_frame(a, b);
+  if (is_apart_fast(a, b, frame)) return {};
   const QuadricBody body_a(a, frame), body_b(b, frame);
   const QuadricNearest met = nearest_of(a, body_a, b, body_b, QuadricQuestion::meeting);
   if (met.contact == QuadricContact::apart) return {};
-  if (met.contact == QuadricContact::undecided && is_apart_fast(a, b, frame)) return {};
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
   const QuadricSeparation separation = separation_of(body_a, body_b, met);

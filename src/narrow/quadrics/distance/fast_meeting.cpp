@@ -28,6 +28,9 @@ constexpr double volume_off = 2048 * unit_roundoff;
 /// Of a vector that is no longer than 1, but for rounding, which is 5 u: squares and sums round by 4 u.
 bool is_within_unit_ball(const Vec3& round) { return dot(round, round) <= 1 + 15 * unit_roundoff; }
 
+/// The faces of four corners in the order in which all look outwards, or all inwards; each across from one of them.
+constexpr std::array<std::array<std::size_t, 3>, 4> outward_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
 }  // namespace
 
 bool are_surely_around_origin(std::span<const QuadricSearch::Corner> corners) {
@@ -38,16 +41,29 @@ bool are_surely_around_origin(std::span<const QuadricSearch::Corner> corners) {
     p[i] = corners[i].a.point - corners[i].b.point;
     if (!(largest_magnitude(p[i]) <= 4)) return false;
   }
-  // The faces in the order in which all look outwards, or all inwards.
-  constexpr std::array<std::array<std::size_t, 3>, 4> faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   double sign = 0;
-  for (const auto& [i, j, k] : faces) {
+  for (const auto& [i, j, k] : outward_faces) {
     const double volume = dot(p[i], cross(p[j], p[k]));
     if (sign == 0) sign = volume > 0 ? 1 : -1;
     const double area = plain_length(cross(p[j] - p[i], p[k] - p[i]));
     if (!(sign * volume > corner_off * area + volume_off)) return false;
   }
   return true;
+}
+
+// The corners' shares of the origin are as the volumes that it has with the faces across from them.
+Vec3 common_point_of(std::span<const QuadricSearch::Corner> corners) {
+  std::array<Vec3, 4> p;
+  for (std::size_t i = 0; i < 4; ++i) p[i] = corners[i].a.point - corners[i].b.point;
+  Vec3 sum;
+  double whole = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [j, k, l] = outward_faces[i];
+    const double share = std::fabs(dot(p[j], cross(p[k], p[l])));
+    sum = sum + share * (0.5 * corners[i].a.point + 0.5 * corners[i].b.point);
+    whole += share;
+  }
+  return (1 / whole) * sum;
 }
 
 }  // namespace toccata

@@ -70,6 +70,13 @@ std::optional<FastDistance> FastPair<B>::distance() {
 }
 
 template <class B>
+std::optional<Vec3> FastPair<B>::common_point() const {
+  if (!search_.inside()) return {};
+  const QuadricSearch::Simplex around = search_.simplex();
+  return are_surely_around_origin(around) ? std::optional(common_point_of(around)) : std::nullopt;
+}
+
+template <class B>
 std::optional<QuadricContact> FastPair<B>::contact() {
   if (is_apart()) return QuadricContact::apart;
   if (search_.inside() && are_surely_around_origin(search_.simplex())) return QuadricContact::contact;

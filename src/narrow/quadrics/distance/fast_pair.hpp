@@ -21,6 +21,9 @@ class FastPair {
   /// Most pairs that are apart.
   std::optional<FastDistance> distance();
 
+  /// Where `distance` has told nothing: of most pairs that meet, a point of both in the pair's frame.
+  [[nodiscard]] std::optional<Vec3> common_point() const;
+
   /// What `distance` did not prove, if it ended where the conditions of the nearest points hold.
   [[nodiscard]] const FastRefinement* guess() const { return is_guess_ ? &refinement_ : nullptr; }
 

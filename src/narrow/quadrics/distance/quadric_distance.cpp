@@ -89,6 +89,10 @@ Distance distance_of(const PosedQuadric& a, const B& b, Vec3& direction) {
     const auto found = quick->distance();
     direction = quick->guess() != nullptr ? quick->guess()->direction() : Vec3{};
     if (found) return {.lower = found->lower, .upper = found->upper, .on_a = found->on_a, .on_b = found->on_b};
+    if (const auto common = quick->common_point()) {
+      const Vec3 at = frame.back(*common);
+      return {.on_a = at, .on_b = at};
+    }
   }
   const Pair pair(a, b);
   const FastRefinement* const guess = quick ? quick->guess() : nullptr;
