@@ -104,9 +104,10 @@ function listenToTools(viewer: Viewer, canvas: HTMLElement): void {
     if (chosen) void chosen.text().then((text) => viewer.openReview(text));
     file.value = ''; // so that the same file can be opened again
   };
-  window.addEventListener('beforeunload', (event) => {
-    if (viewer.review.changed) event.preventDefault();
-  });
+  // Only while there is something to lose: a page that listens is slower to leave.
+  viewer.review.onChanged = (changed) => {
+    window.onbeforeunload = changed ? (event) => event.preventDefault() : null;
+  };
 }
 
 function listen(viewer: Viewer): void {

@@ -16,8 +16,18 @@ const format = 'toccata-review';
 const keyOf = (a: string, b: string) => JSON.stringify([a, b].sort());
 
 export class Review {
-  changed = false; // since it was saved or opened
+  onChanged: (changed: boolean) => void = () => undefined;
+  private isChanged = false; // since it was saved or opened
   private readonly remarks = new Map<string, Remark>();
+
+  set changed(changed: boolean) {
+    this.isChanged = changed;
+    this.onChanged(changed);
+  }
+
+  get changed(): boolean {
+    return this.isChanged;
+  }
 
   of(a: string, b: string): Remark {
     return this.remarks.get(keyOf(a, b)) ?? { a, b, status: 'open', comment: '' };
