@@ -369,22 +369,28 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check assembly.glb --baseline yesterday.json --fail-on new --sort severity --json\n"
                 "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
-  return {check, [arguments, check] {
-            require_company(*check);
-            if (arguments->fail_on_word == "new" && arguments->baseline.empty())
-              throw Error(
-                  "--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
-            arguments->by_winding = arguments->solid_word == "by-winding";
-            if (arguments->by_winding) arguments->solid_word = "auto";
-            take_words(*arguments);
-            arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
-            if (arguments->order_word == "severity") arguments->order = PairOrder::severity;
-            if (arguments->group_word != "none")
-              arguments->grouping = arguments->group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
-            if (arguments->fail_on_word != "any")
-              arguments->fail_on = arguments->fail_on_word == "hard" ? FailOn::hard : FailOn::added;
-            return run_check(*arguments, asking_options(*check));
-          }};
+  return {
+      check, [arguments, check] {
+        require_company(*check);
+        if (arguments->fail_on_word == "new" && arguments->baseline.empty())
+          throw Error(
+              "--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
+        arguments->by_winding = arguments->solid_word == "by-winding";
+        if (arguments->by_winding && (arguments->format == Format::stream || !arguments->poses.empty()))
+          throw Error(fmt::format(
+              "--solid by-winding excludes {}: what is inside an open mesh is looked for after all pairs of the scene; "
+              "give one of the two",
+              arguments->poses.empty() ? "--stream" : "--poses"));
+        if (arguments->by_winding) arguments->solid_word = "auto";
+        take_words(*arguments);
+        arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
+        if (arguments->order_word == "severity") arguments->order = PairOrder::severity;
+        if (arguments->group_word != "none")
+          arguments->grouping = arguments->group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
+        if (arguments->fail_on_word != "any")
+          arguments->fail_on = arguments->fail_on_word == "hard" ? FailOn::hard : FailOn::added;
+        return run_check(*arguments, asking_options(*check));
+      }};
 }
 
 }  // namespace toccata::command

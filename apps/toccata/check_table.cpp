@@ -48,7 +48,7 @@ std::string tolerance_text(const ReportedPair& pair) {
     case ToleranceVerdict::undecided:
       return pair.penetration ? ", undecided whether within the tolerance: " +
                                     depth_text(pair.penetration->lower, pair.penetration->upper)
-                              : ", undecided whether within the tolerance: a surface has no depth";
+                              : ", undecided whether within the tolerance: no depth is known of them";
     case ToleranceVerdict::none:
       break;
   }
@@ -57,7 +57,7 @@ std::string tolerance_text(const ReportedPair& pair) {
 
 /// How much they have in common, and where.
 std::string volume_line(const ReportedPair& pair) {
-  if (!pair.volume) return "      no volume: one of them is a surface\n";
+  if (!pair.volume) return "      no volume is known of what they have in common\n";
   const OverlapVolume& volume = *pair.volume;
   const std::string amount = volume.status == Status::exact
                                  ? fmt::format("{:.6g}", volume.upper)
@@ -243,7 +243,7 @@ std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
   std::string text = fmt::format(
       "{} within {}, by the upper bounds of their depths: no clash", counted(count(ToleranceVerdict::within), "pair"),
       *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
-                            : std::string("their tolerances"));
+                            : std::string("the tolerance of 0, or that of a rule"));
   if (const std::size_t undecided = count(ToleranceVerdict::undecided); undecided > 0)
     text += fmt::format("; of {} that could not be decided", counted(undecided, "pair"));
   return text + ".\n";
@@ -287,7 +287,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
       static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
         const bool may_be_neither =
             pair.relation.kind == RelationKind::touching || pair.relation.kind == RelationKind::apart;
-        return may_be_neither && pair.relation.status != Status::exact;
+        return (may_be_neither || pair.winding) && pair.relation.status != Status::exact;
       }));
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
                                  counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),

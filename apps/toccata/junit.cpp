@@ -84,7 +84,7 @@ std::string junit_xml(const Findings& findings) {
   for (const ReportedPair& pair : report.pairs) add_case(suite, findings, pair);
   add_case_of_all(suite, report);
   std::string told = counted(findings.input.loaded.scene.objects.size(), "object") + ", " +
-                     counted(report.candidate_pairs, "pair") + " looked at";
+                     counted(report.candidate_pairs - report.unfinished, "pair") + " looked at";
   for (const std::string& warning : findings.input.loaded.warnings) told += "\nwarning: " + printable(warning);
   suite.append_child("system-out").text().set(told.c_str());
   std::ostringstream text;

@@ -410,7 +410,8 @@ Subcommand add_robot(CLI::App& app) {
   robot
       ->add_option("--find-allowed", arguments->find_allowed,
                    "instead: pairs that need not be looked at, by so many samples, as SRDF")
-      ->type_name("NUMBER");
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 100'000'000));
   add_text(*robot, "--write-urdf", arguments->write_urdf, "instead: write the robot and its meshes into this folder",
            "a folder must be named")
       ->type_name("FOLDER");

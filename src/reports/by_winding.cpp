@@ -53,15 +53,19 @@ bool is_before(const ReportedPair& pair, const IndexPair& other) {
   return pair.a != other.first ? pair.a < other.first : pair.b < other.second;
 }
 
-/// The relation of a pair whose faces do not meet, of which one is inside the other.
-void set_contained(ReportedPair& pair, const Inside& inside, Containment containment) {
+/// What is told of a pair whose faces do not meet, of which one is inside the other, somewhere in `place`: a distance
+/// of surfaces is none of solids.
+void set_contained(ReportedPair& pair, const Inside& inside, Containment containment, const Aabb& place) {
   pair.relation.kind = RelationKind::overlapping;
   pair.relation.containment = inside.all ? containment : Containment::none;
   pair.relation.status = Status::undecided;
+  pair.kind = inside.all ? ClashKind::contains : ClashKind::overlap;
+  pair.place = place;
+  pair.distance.reset();
   pair.winding = inside.winding;
 }
 
-void add(CheckReport& report, const IndexPair& pair, const Inside& inside, Containment containment) {
+void add(CheckReport& report, const IndexPair& pair, const Inside& inside, Containment containment, const Aabb& box) {
   auto place = std::lower_bound(report.pairs.begin(), report.pairs.end(), pair, is_before);
   const bool is_there = place != report.pairs.end() && place->a == pair.first && place->b == pair.second;
   if (is_there && place->relation.kind != RelationKind::apart) return;  // its faces meet
@@ -70,7 +74,8 @@ void add(CheckReport& report, const IndexPair& pair, const Inside& inside, Conta
     place->a = pair.first;
     place->b = pair.second;
   }
-  set_contained(*place, inside, containment);
+  set_contained(*place, inside, containment, box);
+  if (report.tolerance) place->tolerance = ToleranceVerdict::undecided;
 }
 
 }  // namespace
@@ -90,7 +95,7 @@ void add_contained_by_winding(std::span<const SceneInstance> models, const PairF
       if (outer == inner || is_of_group || (wanted && !wanted(pair)) || !contains(boxes[outer], boxes[inner])) continue;
       const Containment containment = outer < inner ? Containment::b_in_a : Containment::a_in_b;
       if (const auto inside = inside_of(models[outer], points_of(models[inner], posed[inner])))
-        add(report, pair, *inside, containment);
+        add(report, pair, *inside, containment, boxes[inner]);
     }
   }
 }

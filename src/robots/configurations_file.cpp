@@ -23,7 +23,8 @@ class ConfigurationsFile {
   std::vector<double> read() {
     const io::FileBytes bytes = io::read_file(path_);
     const std::string_view text(bytes.data.get(), bytes.size);
-    std::size_t line = 1, begin = 0;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    std::size_t line = 1, begin = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
     bool is_first = true;
     while (begin < text.size()) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -46,8 +47,9 @@ class ConfigurationsFile {
 
  private:
   static std::vector<std::string_view> words_of(std::string_view line) {
-    constexpr std::string_view blanks = ", ;\t\r\"";
     line = line.substr(0, line.find('#'));
+    if (line.find(',') != std::string_view::npos) return fields_of(line);
+    constexpr std::string_view blanks = " ;\t\r\"";
     std::vector<std::string_view> words;
     for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
       const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
@@ -55,6 +57,20 @@ class ConfigurationsFile {
       at = line.find_first_not_of(blanks, end);
     }
     return words;
+  }
+
+  /// Between commas, where names may have blanks; what is left out is an empty word.
+  static std::vector<std::string_view> fields_of(std::string_view line) {
+    constexpr std::string_view around = " \t\r\"";
+    std::vector<std::string_view> fields;
+    for (std::size_t begin = 0; begin <= line.size();) {
+      const std::size_t end = std::min(line.find(',', begin), line.size());
+      std::string_view field = line.substr(begin, end - begin);
+      field.remove_prefix(std::min(field.find_first_not_of(around), field.size()));
+      fields.push_back(field.substr(0, field.find_last_not_of(around) + 1));
+      begin = end + 1;
+    }
+    return fields;
   }
 
   static bool starts_a_number(std::string_view word) { return word.find_first_of("+-.0123456789") == 0; }

@@ -171,11 +171,25 @@ void require_tree(const RobotXml& xml, const RobotDescription& skeleton) {
   }
 }
 
+/// urdfdom leaves out a <collision> that it does not understand, complains, and goes on.
+void require_collisions(const RobotXml& xml, const urdf::ModelInterface& model, const std::string& complaint) {
+  for (const TiXmlElement* element : RobotXml::below(xml.robot(), "link")) {
+    const std::string name = xml.attribute(*element, "name");
+    const std::size_t written = RobotXml::below(*element, "collision").size();
+    if (written != model.getLink(name)->collision_array.size())
+      throw xml.error_at(*element, fmt::format("not each <collision> of link '{}' is understood: {}", name,
+                                               complaint.empty() ? "urdfdom does not say why" : complaint));
+  }
+}
+
 urdf::ModelInterfaceSharedPtr model_of(const RobotXml& xml) {
   UrdfdomComplaints complaints;
-  if (urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(xml.text())) return model;
-  throw xml.error_about(complaints.first().empty() ? "urdfdom does not read it, and does not say why"
-                                                   : complaints.first());
+  urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(xml.text());
+  if (!model)
+    throw xml.error_about(complaints.first().empty() ? "urdfdom does not read it, and does not say why"
+                                                     : complaints.first());
+  require_collisions(xml, *model, complaints.first());
+  return model;
 }
 
 Vec3 vector_of(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }

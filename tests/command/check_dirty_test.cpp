@@ -101,6 +101,13 @@ TEST_F(CheckDirty, ByWindingWhatIsInsideAnOpenMeshOverlapsItUndecided) {
   EXPECT_EQ(pair["containment"], "a_in_b");
   EXPECT_EQ(pair["status"], "undecided");
   EXPECT_GT(pair["winding"]["lower"], 0.5);
+  const Json with_all = report({"check", "screw.obj", "open.obj", "--solid", "by-winding", "--volume", "--tolerance",
+                                "1", "--group", "region", "--clearance", "1"});
+  EXPECT_EQ(with_all["pairs"][0]["kind"], "contains");
+  EXPECT_EQ(with_all["pairs"][0]["tolerance"], "undecided");
+  EXPECT_FALSE(with_all["pairs"][0].contains("distance"));
+  EXPECT_TRUE(with_all["groups"][0]["lower"][0].is_number());
+  EXPECT_EQ(run({"check", "open.obj", "screw.obj", "--solid", "by-winding", "--stream"}).exit_code, 2);
   // Above the missing lid nothing is inside.
   EXPECT_EQ(run({"check", "open.obj", "screw.obj", "--solid", "by-winding", "--pose-b", "0", "0", "1"}).exit_code, 0);
   EXPECT_EQ(report({"check", "open.obj", "screw.obj", "--solid", "by-winding"})["asked"]["query"]["by_winding"], true);

@@ -126,6 +126,13 @@ TEST(OverlapVolume, ExchangedIsTheSame) {
             overlap_volume(torus, gear, {.pose_a = q, .pose_b = p}));
 }
 
+TEST(OverlapVolume, BeyondDoublesIsAnIntervalWithoutAnEndThatIsNotExact) {
+  const Model box = box_model({1e150, 1e150, 1e150});
+  const OverlapVolume volume = overlap_volume(box, box, {.pose_b = Pose::translation(1e150, 0, 0)});
+  EXPECT_EQ(volume.upper, HUGE_VAL);
+  EXPECT_EQ(volume.status, Status::not_converged);
+}
+
 TEST(OverlapVolume, OfSurfacesIsRefused) {
   const Model open(height_field_mesh({})), box = box_model({1, 1, 1});
   EXPECT_NE(message_of([&] { static_cast<void>(overlap_volume(open, box)); }).find("model a is taken as a surface"),

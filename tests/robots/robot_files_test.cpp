@@ -136,6 +136,20 @@ TEST_F(UrdfFile, OddSizesAreWarnedOf) {
   EXPECT_TRUE(tells(read(text).warnings.back(), "URDF is in metres"));
 }
 
+TEST_F(UrdfFile, ACollisionThatIsNotUnderstoodIsAnErrorAndNotLeftOut) {
+  const std::string link =
+      "<link name=\"a\"><collision><origin xyz=\"{}\"/><geometry><box size=\"1 1 1\"/></geometry></collision></link>\n";
+  const auto robot = [&](const std::string& place) {
+    std::string text = link;
+    return "<robot name=\"r\">\n" + text.replace(text.find("{}"), 2, place) + "</robot>\n";
+  };
+  EXPECT_EQ(read(robot("0 0 0")).description.links[0].shapes.size(), 1U);
+  for (const char* place : {"0 0 O", "0 0", "0,0,0", "0 nan 0"})
+    EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read(robot(place))); }),
+                      "robot.urdf:2: not each <collision> of link 'a' is understood"))
+        << place;
+}
+
 TEST_F(UrdfFile, PackagesAreLookedForInTheirOrder) {
   folder_.write("elsewhere/parts/hand.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const std::string path = written(small_urdf);
@@ -198,6 +212,11 @@ TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {
     return message.substr(std::min(message.find("q.csv"), message.size()));
   };
   EXPECT_EQ(fault("0,0,0\n1,2\n"), "q.csv:2: a line of 3 numbers has 2; give one for each position of the robot");
+  EXPECT_TRUE(tells(fault("0,,0,0\n"), "q.csv:1: a line of 3 numbers has 4"));
+  EXPECT_TRUE(tells(fault("0,,0\n"), "q.csv:1: \"\" is no number"));
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "0.5,1,0.25\n"),
+            (std::vector<double>{0.5, 1, 0.25}));
   EXPECT_TRUE(tells(fault("0,0,0\n0,nan,0\n"), "q.csv:2: \"nan\" is no number"));
   EXPECT_TRUE(tells(fault("0,0,0\n0,1e999,0\n"), "q.csv:2: \"1e999\" is no number"));
   EXPECT_TRUE(tells(fault("0,3.5,0\n"), "q.csv:1: the position of 'elbow' is 3.5, beyond its limits -3 to 3"));

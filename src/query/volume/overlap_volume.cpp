@@ -1,6 +1,7 @@
 #include "toccata/query/overlap.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -97,7 +98,7 @@ bool some_part_holds(const std::vector<EnclosedPart>& parts, const Vec3& point) 
 }
 
 Status volume_status(const VolumeBracket& volume) {
-  const bool is_narrow = volume.upper - volume.lower <= 1e-9 * volume.upper;
+  const bool is_narrow = std::isfinite(volume.upper) && volume.upper - volume.lower <= 1e-9 * volume.upper;
   return is_narrow ? Status::exact : Status::not_converged;
 }
 
