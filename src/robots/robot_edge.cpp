@@ -187,7 +187,7 @@ class EdgeSearch {
     const double way = ways_[body].back() + rounding_;
     Aabb around = box_around(placed_.box(body));
     for (int i = 0; i < 3; ++i) around.lower[i] -= way, around.upper[i] += way;
-    const bool goes_far = way > 2 * scene_.body_radius[body];
+    const bool goes_far = stretch_length_ > precision_ && way > 2 * scene_.body_radius[body];
     bool meets = false, is_near_any = false;
     scene_.part_tree.visit_overlapping(around, [&](Index part) {
       const OpenPair open{{body, true, part}, nullptr, {}};

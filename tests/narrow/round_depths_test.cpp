@@ -286,5 +286,34 @@ TEST(RoundDepthsOf, WhatIsNotAllowedIsRefused) {
   EXPECT_THROW(static_cast<void>(penetration(Sphere(1), Pose{}, Box({1, 1, 1}), nowhere)), Error);
 }
 
+TEST(RoundDepths, OfABoxThatRoundingFlattensAreNone) {
+  const double far = 0x1p45;
+  const Box plate({1, 1, 0x1p-10});
+  const Penetration found =
+      penetration(Sphere(1.1), Pose::translation(1.4, 1.3, far), plate, Pose::translation(0, 0, far));
+  EXPECT_EQ(found.upper, penetration(PosedPolytope(Sphere(1.1), Pose::translation(1.4, 1.3, far)),
+                                     PosedPolytope(plate, Pose::translation(0, 0, far)))
+                             .upper);
+  EXPECT_EQ(found.lower, 0);
+}
+
+TEST(RoundDepths, OfLeastSizesAgreeWithOverlap) {
+  const Sphere a(1.5e-162);
+  const Pose beside = Pose::translation(1.58e-162, 1.58e-162, 1.58e-162);
+  EXPECT_TRUE(overlap(PosedPolytope(a, {}), PosedPolytope(a, beside)));
+  EXPECT_GT(penetration(a, {}, a, beside).upper, 0);
+  const Capsule rod({0, 0, 0}, {3e-162, 3e-162, 3e-162}, 2.8e-162);
+  const Box box({1e-162, 1e-162, 1e-162});
+  const Pose aside = Pose::translation(2.58e-162, 2.58e-162, 2.58e-162);
+  EXPECT_EQ(overlap(rod, aside, box, {}), overlap(PosedPolytope(rod, aside), PosedPolytope(box, {})));
+}
+
+TEST(RoundDepths, AlongAnAxisTheDirectionIsOfLengthOne) {
+  const double apart = 0x1.dae147ae147aep+0;
+  const Penetration found =
+      penetration(Sphere(0x1.96e6a337a80dp+1), {}, Sphere(0x1.3189630a4d4b3p-11), Pose::translation(apart, 0, 0));
+  EXPECT_EQ(std::fabs(found.direction.x), 1);
+}
+
 }  // namespace
 }  // namespace toccata::test

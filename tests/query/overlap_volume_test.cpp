@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "support/error_message.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -131,6 +134,44 @@ TEST(OverlapVolume, BeyondDoublesIsAnIntervalWithoutAnEndThatIsNotExact) {
   const OverlapVolume volume = overlap_volume(box, box, {.pose_b = Pose::translation(1e150, 0, 0)});
   EXPECT_EQ(volume.upper, HUGE_VAL);
   EXPECT_EQ(volume.status, Status::not_converged);
+}
+
+/// Where it lies within two surfaces of the mesh, or between them, though their triangles' boxes reach into it.
+TEST(OverlapVolume, WithinNestedSurfacesIsThatOfOneSolid) {
+  const auto octahedron = [](double r, bool inverted) {
+    std::vector<Vec3> vertices{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
+    std::vector<std::array<Index, 3>> faces;
+    for (const Index x : {0U, 1U})
+      for (const Index y : {2U, 3U})
+        for (const Index z : {4U, 5U}) {
+          const bool turned = ((x + y + z) % 2 != 0) != inverted;
+          faces.push_back(turned ? std::array<Index, 3>{x, z, y} : std::array<Index, 3>{x, y, z});
+        }
+    return std::pair(vertices, faces);
+  };
+  auto [vertices, faces] = octahedron(100, false);
+  const TriangleMesh box = box_mesh({2, 2, 2});
+  const auto first = static_cast<Index>(vertices.size());
+  vertices.insert(vertices.end(), box.vertices().begin(), box.vertices().end());
+  for (const auto& [i, j, k] : box.triangles()) faces.push_back({first + i, first + j, first + k});
+  const auto [small_vertices, small_faces] = octahedron(0.5, false);
+  const Model nested(TriangleMesh(vertices, faces)), small(TriangleMesh(small_vertices, small_faces));
+  const OverlapVolume found = overlap_volume(nested, small);
+  expect_holds(found, 1.0 / 6, 1e-15);
+  EXPECT_LE(found.lower, found.upper);
+}
+
+TEST(OverlapVolume, OfWhatIsTooSmallToBeEnclosedIsNotNothing) {
+  const Model box = Box({2, 2, 2});
+  const double pi = std::numbers::pi;
+  for (const double thin : {1e-14, 1e-15}) {
+    const OverlapVolume disc = overlap_volume(Cylinder(1, thin), box);
+    EXPECT_LE(disc.lower, 2 * pi * thin);
+    EXPECT_GE(disc.upper, 2 * pi * thin);
+  }
+  const OverlapVolume grain = overlap_volume(Sphere(1e-17, {1, 0, 0}), box);
+  EXPECT_GE(grain.upper, 4 / 3.0 * pi * 1e-51);
+  EXPECT_NE(grain.status, Status::exact);
 }
 
 TEST(OverlapVolume, OfSurfacesIsRefused) {

@@ -17,6 +17,22 @@ std::vector<double> on_the_way(const std::vector<double>& from, const std::vecto
   return configuration;
 }
 
+TEST(RobotEdge, OfABodyWithoutSizeEndsAtItsPrecision) {
+  const RobotDescription slider{"slider",
+                                {{"base"}, {"tip", {{Point({0, 0, 0})}}}},
+                                {{.name = "slide",
+                                  .kind = RobotJointKind::prismatic,
+                                  .parent = "base",
+                                  .child = "tip",
+                                  .limits = JointLimits{0, 1}}},
+                                {}};
+  const std::vector<SceneInstance> box{{Box({0.1, 0.1, 0.1}), Pose::translation(0.7, 0, 0), {}, "box"}};
+  const RobotEdge edge = RobotScene(Robot(slider), box).edge(std::vector<double>{0}, std::vector<double>{1});
+  EXPECT_FALSE(edge.is_free);
+  EXPECT_LE(edge.lower, 0.6);
+  EXPECT_GE(edge.upper, 0.6 - 1e-12);
+}
+
 TEST(RobotEdge, ABarThatTurnsMeetsAPinAtTheAngleOfThePin) {
   RobotDescription arm = planar_robot();
   arm.links[1].shapes = {{Segment({0, 0, 0}, {1, 0, 0})}};

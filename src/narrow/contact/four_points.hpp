@@ -67,7 +67,11 @@ std::size_t deepest_of(const Points& points, double same_depth) {
 template <class Points>
 class FourPoints {
  public:
-  FourPoints(Points& points, double same_depth) : points_(points), same_depth_(same_depth) {}
+  /// Points nearer to each other than a part of `size` are one.
+  FourPoints(Points& points, double same_depth, double size = 1)
+      : points_(points),
+        same_depth_(same_depth),
+        least_squared_(seen_along_normal::least_share * seen_along_normal::least_share * size * size) {}
 
   Points taken() {
     using namespace seen_along_normal;
@@ -87,7 +91,7 @@ class FourPoints {
       if (best != nullptr) four.push_back(*best);
       return best != nullptr;
     };
-    if (!add([&](const Vec3& p) { return squared_length(p - first); }, least_share * least_share)) return four;
+    if (!add([&](const Vec3& p) { return squared_length(p - first); }, least_squared_)) return four;
     const Vec3 way = four[1].at - first;
     if (!add([&](const Vec3& p) { return std::fabs(twice_area(way, p - first)); }, least_share * span)) return four;
     add([&](const Vec3& p) { return area_added(four, p); }, least_share * span);
@@ -108,6 +112,7 @@ class FourPoints {
 
   Points& points_;
   double same_depth_;
+  double least_squared_;
 };
 
 }  // namespace toccata

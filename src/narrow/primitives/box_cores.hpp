@@ -87,7 +87,8 @@ struct BesideBox {
 
 template <class Corners>
 HWY_INLINE double frame_error(const OneBlock<Corners>& block, const OneVector& from_centre) {
-  return 0x1p-40 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) + 2 * block.slack;
+  return 0x1p-40 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) +
+         (2 * block.slack + nearness_floor);
 }
 
 HWY_INLINE BesideBox beside(const OneVector& local, const OneVector& half, double error) {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "narrow/primitives/long_vector.hpp"
 
@@ -146,6 +147,16 @@ HWY_INLINE PlainGap<edges> plain_gap(const CoreFeatures<edges, ways>& f) {
   return gap;
 }
 
+/// Of coordinates so small that what products are off by underflows, which levels do differently, nothing is left.
+HWY_INLINE OneVector without_least(const OneVector& v) {
+  return each(
+      [](const auto& c) HWY_ATTR {
+        using N = std::remove_cvref_t<decltype(c)>;
+        return hn::IfThenElseZero(hn::Ge(hn::Abs(c), all<N>(0x1p-900)), c);
+      },
+      v);
+}
+
 /// With twice the digits.
 struct PreciseGap {
   OneVector apart;  ///< on_a − on_b, each coordinate nearly rounded once
@@ -187,7 +198,7 @@ HWY_INLINE PreciseGap precise_gap(const CoreFeatures<edges, ways>& f, const Plai
                                               0x1p-50 * first_of(sum_of(magnitudes_of(x.high))));
   }
   const TwoPart square = long_square(x);
-  PreciseGap gap{x.high, long_root(square), 0, false};
+  PreciseGap gap{without_least(x.high), long_root(square), 0, false};
   gap.off = 0x1p-96 * (gap.length.high + plain.size) + across * gap.length.inverse;
   gap.is_precise = is_corrected & (across <= 0x1p-80 * square.high) & (square.high > 0x1p-400) &
                    (square.high < 0x1p400) & (plain.size < 0x1p200);

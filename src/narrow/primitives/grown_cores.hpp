@@ -47,7 +47,7 @@ template <std::size_t edges, std::size_t ways>
 HWY_INLINE PlainContact<edges> plain_contact(const GrownCores<edges, ways>& cores) {
   PlainContact<edges> contact{plain_gap(cores.features)};
   const double reach = cores.radius_a + cores.radius_b, size = contact.gap.size, squared = contact.gap.squared;
-  const double error = 0x1p-46 * (size + reach), outer = reach + error, inner = reach - error;
+  const double error = 0x1p-46 * (size + reach) + nearness_floor, outer = reach + error, inner = reach - error;
   const bool is_certain = contact.gap.is_certain & (squared > 0x1p-32 * (size * size));
   contact.is_apart = is_certain & (squared > more_square * (outer * outer));
   contact.is_meeting = is_certain & (inner > 0) & (squared < less_square * (inner * inner));
@@ -84,6 +84,12 @@ HWY_INLINE bool is_along_an_axis(const OneVector& v) {
   return (first_of(x_of(v)) != 0) + (first_of(y_of(v)) != 0) + (first_of(z_of(v)) != 0) == 1;
 }
 
+/// Of a vector along an axis, of length 1 to the bit.
+HWY_INLINE OneVector unit_along_axis(const OneVector& v) {
+  const auto sign = [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : x; };
+  return in_one(sign(first_of(x_of(v))), sign(first_of(y_of(v))), sign(first_of(z_of(v))));
+}
+
 /// Bounds as `rounded_depth` has them; those of shapes that are apart are 0.
 template <std::size_t edges, std::size_t ways>
 HWY_INLINE Penetration depth_of(const GrownCores<edges, ways>& cores) {
@@ -100,7 +106,10 @@ HWY_INLINE Penetration depth_of(const GrownCores<edges, ways>& cores) {
     lower = depth.value;
     upper = next_above(depth.value);
     // Along a rounded direction it is a little farther.
-    if (!is_along_an_axis(direction)) upper = next_above(upper + 0x1p-50 * upper);
+    if (is_along_an_axis(direction))
+      direction = unit_along_axis(direction);
+    else
+      upper = next_above(upper + 0x1p-50 * upper);
   }
   Penetration result;
   result.lower = lower;

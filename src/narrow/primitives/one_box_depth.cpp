@@ -23,7 +23,8 @@ struct FrameContact {
 /// `least_squared` is a lower bound of the squared distance, but for the error.
 HWY_INLINE FrameContact frame_contact(const BesideBox& at, double least_squared, double reach) {
   const double outer = reach + at.error;
-  return {least_squared > more_square * (outer * outer), at.beyond[at.across] > at.error};
+  const bool is_apart = (least_squared > more_square * (outer * outer)) & (least_squared < 0x1p1000);
+  return {is_apart, at.beyond[at.across] > at.error};
 }
 
 /// Of shapes that are apart: the way across the gap, rounded.
@@ -54,8 +55,16 @@ HWY_INLINE Penetration depth_within(const WayOut& way, double radius_a, double r
   return result;
 }
 
+/// Rounding of its corners has not made it flat: a flat box can only touch.
+template <class Corners>
+HWY_INLINE bool is_thick(const OneBlock<Corners>& b) {
+  const ThreeNumbers half = numbers_of(b.half);
+  return (half[0] > 4 * b.slack) & (half[1] > 4 * b.slack) & (half[2] > 4 * b.slack);
+}
+
 template <class Corners>
 HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
+  if (!is_thick(b)) return unknown_depth();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
@@ -70,6 +79,7 @@ HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
 
 template <class Corners>
 HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
+  if (!is_thick(b)) return unknown_depth();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
   if (contact.is_apart) {
@@ -124,6 +134,7 @@ HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double r
 
 template <class Corners>
 HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
+  if (!is_thick(b)) return unknown_manifold();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
@@ -164,6 +175,7 @@ HWY_INLINE bool is_of_one_point(const RodBesideBox& rod, double reach) {
 
 template <class Corners>
 HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
+  if (!is_thick(b)) return unknown_manifold();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
   if (contact.is_apart) return {};

@@ -46,7 +46,7 @@ std::vector<MergedManifolds::Point> MergedManifolds::few_of(const Group& group) 
     span = std::max(span, largest_magnitude(seen.back().at));
   }
   std::vector<Point> few;
-  for (const SeenPoint& one : FourPoints(seen, same_part_of_span * span).taken())
+  for (const SeenPoint& one : FourPoints(seen, same_part_of_span * span, span).taken())
     few.push_back(group.points[one.number]);
   return few;
 }

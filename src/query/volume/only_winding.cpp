@@ -117,7 +117,10 @@ std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region) {
   }
   for (Index place = 0; place < triangles.size(); ++place)
     if (is_seen[pieces.leader(place)] == 0) return {};
-  return only;
+  // Triangles are found by their boxes: where none of them reaches into the region, it lies beside none of them.
+  const int here = wind_along(mesh, ExactPoint(region.lower), 0).ahead;
+  if (here != 0 && only != 0 && here != only) return {};
+  return here != 0 ? here : only;
 }
 
 }  // namespace toccata

@@ -34,7 +34,13 @@ bool comes_first(const PosedMesh& a, const PosedMesh& b) {
     return std::tuple(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z,
                       mesh.model().mesh().triangle_count(), t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z);
   };
-  return !(key(b) < key(a));
+  if (key(a) != key(b)) return key(a) < key(b);
+  for (Index i = 0; i < a.model().mesh().triangle_count(); ++i)
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3 p = a.triangle(i)[corner], q = b.triangle(i)[corner];
+      if (!(p == q)) return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    }
+  return true;
 }
 
 CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
@@ -62,18 +68,32 @@ Aabb box_near(const PosedModel& model, const PosedModel& other) {
 struct EnclosedPart {
   EnclosingMeshes meshes;
   const PosedShape* shape;
+  Aabb box;
+  bool is_enclosed = false;  ///< else it is so small or so thin that nothing but its box is known
 };
+
+/// It is its own mesh, where it has one.
+bool is_polyhedron(const PosedShape& shape) {
+  const auto* convex = std::get_if<PosedPolytope>(&shape);
+  return std::holds_alternative<PosedTriangles>(shape) || (convex != nullptr && convex->radius() == 0);
+}
 
 std::vector<EnclosedPart> enclosed_parts(const PosedModel& model, const PosedModel& other) {
   std::vector<EnclosedPart> parts;
   for (const PosedPart& part : model.parts) {
     EnclosingMeshes meshes = enclosing_meshes(part.shape, box_near(other, model));
-    if (meshes.within) parts.push_back({std::move(meshes), &part.shape});
+    if (!meshes.within && is_polyhedron(part.shape)) continue;  // flat
+    const bool is_enclosed = meshes.within && (meshes.around || is_polyhedron(part.shape));
+    parts.push_back({std::move(meshes), &part.shape, world_box(part.shape), is_enclosed});
   }
   return parts;
 }
 
 CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, SearchScratch& scratch) {
+  if (!a.is_enclosed || !b.is_enclosed) {
+    if (!overlap(a.box, b.box)) return {};
+    return {{0, ceiling_of(bounded_volume(common_box(a.box, b.box)))}, 0, {}};
+  }
   if (!overlap(a.meshes.outer().box(), b.meshes.outer().box())) return {};
   CommonPiece piece = common_piece(*a.meshes.within, *b.meshes.within, scratch);
   if (a.meshes.around || b.meshes.around)
@@ -85,7 +105,7 @@ CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, SearchScratch
 bool are_separate(const std::vector<EnclosedPart>& parts, SearchScratch& scratch) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (common_piece(parts[i].meshes.outer(), parts[j].meshes.outer(), scratch).volume.upper > 0) return false;
+      if (piece_of(parts[i], parts[j], scratch).volume.upper > 0) return false;
   return true;
 }
 
@@ -140,7 +160,7 @@ class CommonParts {
     const CommonPiece piece = piece_of(part_a, part_b, scratch_);
     if (!(piece.volume.upper > 0)) return;
     pieces_.push_back(piece);
-    if (point_) return;
+    if (point_ || !part_a.is_enclosed || !part_b.is_enclosed) return;
     const Aabb common = common_box(part_a.meshes.within->box(), part_b.meshes.within->box());
     for (const std::optional<Vec3>& point :
          {std::optional(0.5 * common.lower + 0.5 * common.upper), piece.middle,
