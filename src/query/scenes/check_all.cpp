@@ -368,14 +368,10 @@ class Check {
 
   void add_depth(PairAnswer& answer, Workspace& workspace) const {
     const SceneInstance &a = models_[answer.a], &b = models_[answer.b];
-    const PairQuery query{a.pose, b.pose, a.solid, b.solid};
     SearchScratch& scratch = workspace.scratch();
     scratch.convex = {};  // it was another pair's
-    answer.manifold = manifold_where_defined(a.model, b.model, query, workspace);
-    if (const auto depth = depth_where_defined(a.model, b.model, query, answer.relation, options_.depth, workspace)) {
-      answer.penetration = depth->penetration;
-      answer.depth_end = depth->end;
-    }
+    answer.manifold = manifold_where_defined(a.model, b.model, query_of(answer), workspace);
+    find_depth(answer, options_.depth, workspace);
     if (a.model.has_mesh() && b.model.has_mesh()) {
       answer.regions = regions_of(answer, workspace);
       tell_kind(answer, answer.regions);
