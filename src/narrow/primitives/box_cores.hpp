@@ -159,7 +159,7 @@ HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
 
 /// A point that is certainly outside of the box.
 template <class Corners>
-HWY_INLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock<Corners>& b, const BesideBox& beside_b,
+HWY_NOINLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock<Corners>& b, const BesideBox& beside_b,
                                          bool& is_certain) {
   const BoxSide side = side_of(b, beside_b, a.centre);
   is_certain = side.is_certain;
@@ -214,10 +214,11 @@ HWY_INLINE OneVector outward_normal(const OneBlock<Corners>& block, std::size_t 
 /// Of a point, through the face that is seen to be the nearest; the other five are farther by more than the frame is
 /// off.
 template <class Corners>
-HWY_INLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point,
+HWY_NOINLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point,
                           const OneVector& from_centre) {
   const std::size_t k = b.across;
-  bool is_least = (std::fabs(b.at[k]) > 4 * b.error) & (b.beyond[k] < -4 * b.error);
+  const bool is_beside = std::fabs(b.at[k]) > 4 * b.error, is_within = b.beyond[k] < -4 * b.error;
+  bool is_least = is_beside & is_within;
   for (std::size_t other = 0; other < 3; ++other)
     is_least = is_least & ((other == k) | (b.beyond[other] < b.beyond[k] - 4 * b.error));
   WayOut way;
@@ -290,7 +291,7 @@ struct RodBesideBox {
 /// By the slope that is left, no point along the segment can be nearer than it tells: the squared distance is convex.
 /// Products are off by less than 2^-47 of the square of the sizes.
 template <class Corners>
-HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
   const OneVector from = minus(a.start, b.centre), along = minus(a.end, a.start);
   const OneVector local = b.local(from), way = b.local(along);
   const SlopeAlong slope{numbers_of(local), numbers_of(way), numbers_of(b.half)};
@@ -316,7 +317,7 @@ HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock<Corners
   const Index first = at.corner();
   const OneVector c = b.corner(first), end = b.corner(first ^ Index{1} << k), along = minus(a.end, a.start);
   const double inverse = 0.5 / at.half[k];
-  is_certain = !at.is_before(m) & !at.is_before(n);
+  is_certain = !at.is_before(m) && !at.is_before(n);
   const OneVector on_a = plus(a.start, scaled(rod.share, along));
   return {{a.start,
            c,
@@ -349,7 +350,7 @@ HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock<Corners
 
 /// The segment does not reach the box.
 template <class Corners>
-HWY_INLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+HWY_NOINLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
                                          bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
@@ -431,15 +432,16 @@ HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock<Corners>& b, s
 /// Along the axis that is the least in the frame, which is off by 2^-40 of the sizes over the sine; the other five are
 /// deeper by more than that.
 template <class Corners>
-HWY_INLINE WayOut way_out(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod) {
+HWY_NOINLINE WayOut way_out(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod) {
   const ThreeNumbers local = numbers_of(b.local(minus(a.start, b.centre)));
   const RodAxes axes = axes_of_rod(local, rod.way, rod.nearest.half);
   const bool is_face = axes.least < 3;
   WayOut way = is_face ? way_through_face(a, b, axes.least, axes.side[axes.least])
                        : way_across_edge(a, b, axes.least - 3, axes.least_sine_squared);
   const double margin = 512 * rod.nearest.error;
-  way.is_known = way.is_known & (axes.least_sine_squared > 0x1p-12) & (axes.next > axes.depth[axes.least] + margin) &
-                 (std::fabs(axes.side[axes.least]) > (is_face ? margin : 0));
+  const bool is_least = axes.next > axes.depth[axes.least] + margin,
+             is_beside = std::fabs(axes.side[axes.least]) > (is_face ? margin : 0);
+  way.is_known = way.is_known & (axes.least_sine_squared > 0x1p-12) & is_least & is_beside;
   return way;
 }
 

@@ -84,7 +84,8 @@ HWY_INLINE PlainEdges<edges> plain_edges(const CoreFeatures<edges, ways>& f) {
     plain.is_free[i] = (share > 0) & (share < 1);
   }
   if constexpr (edges == 2) {
-    plain.mixed = plain.is_free[0] & plain.is_free[1] ? first_of(dot(plain.way[0], plain.way[1])) : 0;
+    const bool first = plain.is_free[0], second = plain.is_free[1];
+    plain.mixed = (first & second) ? first_of(dot(plain.way[0], plain.way[1])) : 0;
     plain.sine_squared = 1 - plain.mixed * plain.mixed * (plain.inverse_squared[0] * plain.inverse_squared[1]);
     plain.inverse_sine_squared = 1 / plain.sine_squared;
   }

@@ -59,11 +59,11 @@ HWY_INLINE Penetration depth_within(const WayOut& way, double radius_a, double r
 template <class Corners>
 HWY_INLINE bool is_thick(const OneBlock<Corners>& b) {
   const ThreeNumbers half = numbers_of(b.half);
-  return (half[0] > 4 * b.slack) & (half[1] > 4 * b.slack) & (half[2] > 4 * b.slack);
+  return half[0] > 4 * b.slack && half[1] > 4 * b.slack && half[2] > 4 * b.slack;
 }
 
 template <class Corners>
-HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_depth();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
@@ -78,7 +78,7 @@ HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
 }
 
 template <class Corners>
-HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_depth();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
@@ -97,7 +97,7 @@ HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
 // Distances.
 
 template <class Corners>
-HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   bool is_certain = false;
@@ -108,7 +108,7 @@ HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
 }
 
 template <class Corners>
-HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
   const RodBesideBox rod = beside(a, b);
   bool is_certain = false;
   const GrownCores<2, 2> cores = cores_beside(a, b, rod, is_certain);
@@ -133,7 +133,7 @@ HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double r
 }
 
 template <class Corners>
-HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_manifold();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
@@ -174,7 +174,7 @@ HWY_INLINE bool is_of_one_point(const RodBesideBox& rod, double reach) {
 }
 
 template <class Corners>
-HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_NOINLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_manifold();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
