@@ -4,7 +4,8 @@
 This may be stopped and started at will: what passed is not run again for the same sources, neither a step nor a part of
 one (the tests of a room, a fuzzer, a constant of a proof, a unit of tidy). Which steps passed, for which commit and how
 long they took is kept in docs/evidence/test-all.json, the counts of the sweeps in docs/evidence/<sweep>.json.
-`--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps.
+`--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps, `--anew` runs them again
+for this commit, whatever others have compared, and `--scale F` multiplies what they have to compare.
 """
 import argparse
 import hashlib
@@ -189,11 +190,13 @@ def passes(name):
     return True
 
 
-def run_sweeps(minutes):
+def run_sweeps(options):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
-    limit = f" --minutes {minutes}" if minutes else ""
-    return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}{limit}") == 0
+    for name, value in (("minutes", options.minutes), ("scale", options.scale)):
+        run += f" --{name} {value}" if value else ""
+    run += " --anew" if options.anew else ""
+    return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}") == 0
 
 
 def install(chosen):
@@ -205,11 +208,13 @@ def main():
     parser = argparse.ArgumentParser(prog="./toccata test --all")
     parser.add_argument("--only", nargs="+", choices=[*STEPS, "sweeps"], default=[*STEPS, "sweeps"])
     parser.add_argument("--minutes", type=float)
+    parser.add_argument("--scale", type=float)
+    parser.add_argument("--anew", action="store_true")
     options = parser.parse_args()
     if not install(options.only):
         return 2
     failed = [name for name in STEPS if name in options.only and not passes(name)]
-    if "sweeps" in options.only and not run_sweeps(options.minutes):
+    if "sweeps" in options.only and not run_sweeps(options):
         failed.append("sweeps")
     print(f"failed: {', '.join(failed)}" if failed else "all passed")
     return 1 if failed else 0
