@@ -22,7 +22,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* usage =
-    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID] [--anew]\n"
+    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID] "
+    "[--anew]\n"
     "Runs shards of the families that are farthest from their goals, until all have reached them.\n"
     "  --evidence DIR  folder of the evidence files, one per sweep\n"
     "  --name SWEEP    only this sweep; may be given several times\n"
