@@ -261,6 +261,14 @@ std::vector<bool> bools_of(nb::handle given, std::size_t count, std::string_view
   return truths;
 }
 
+std::vector<double> numbers_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (numbers.shape.size() != 1)
+    throw Error(fmt::format("{}: a list of numbers is needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return {numbers.data, numbers.data + numbers.rows()};
+}
+
 std::vector<double> numbers_for(nb::handle given, std::size_t count, std::string_view what) {
   const Doubles numbers = doubles(given, what);
   if (numbers.shape.empty()) return std::vector<double>(count, numbers.data[0]);
@@ -286,6 +294,14 @@ Floats array_of(const Pose& pose) {
   return nb::borrow<Floats>(array_over<double>(std::move(rows), {4}));
 }
 
+Floats array_of(std::vector<double> numbers) { return nb::borrow<Floats>(array_over<double>(std::move(numbers), {})); }
+
 nb::tuple tuple_of(const Vec3& vector) { return nb::make_tuple(vector.x, vector.y, vector.z); }
+
+nb::tuple tuple_of(const std::vector<double>& numbers) {
+  nb::list told;
+  for (const double number : numbers) told.append(number);
+  return nb::tuple(told);
+}
 
 }  // namespace toccata::python
