@@ -201,8 +201,11 @@ Poses poses_of(nb::handle given, std::string_view what) {
   if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 &&
       nb::isinstance<Pose>(given[0])) {
     Poses poses;
-    for (const nb::handle pose : given)
-      poses.each.push_back(pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
+    for (const nb::handle pose : given) {
+      const Pose* known = nullptr;
+      const bool is_pose = nb::try_cast(pose, known, false) && known != nullptr;
+      poses.each.push_back(is_pose ? *known : pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
+    }
     return poses;
   }
   const bool of_scipy = tells_a_matrix(given);

@@ -21,7 +21,6 @@
 // The character mover (world/character_mover.hpp), bound once for levels that are a SceneIndex and for Worlds.
 namespace toccata::python {
 
-
 template <class Objects, class Bound>
 class CharacterQuestions {
  public:
@@ -76,7 +75,7 @@ class CharacterQuestions {
   }
 
   void bind_step() {
-    const auto vector_told = [](Vec3 Step::* member) {
+    const auto vector_told = [](Vec3 Step::*member) {
       return [member](const Step& step) { return array_of(step.*member); };
     };
     nb::class_<Step>(module_, name("MoverStep").c_str(), "What came of a step of a character.")
@@ -126,20 +125,25 @@ class CharacterQuestions {
           });
         },
         nb::arg("shape"), nb::arg("start"), nb::arg("motion"), nb::arg("options") = MoverOptions{}, nb::kw_only(),
-        nb::arg("only") = nb::none(), nb::arg("moved") = nb::none(),
-        nb::sig(signature_.c_str()),
-        "One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects let "
-        "it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along "
-        "`up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, "
-        "pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.");
+        nb::arg("only") = nb::none(), nb::arg("moved") = nb::none(), nb::sig(signature_.c_str()),
+        "One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects "
+        "let "
+        "it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part "
+        "along "
+        "`up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs "
+        "(object, "
+        "pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not "
+        "here.");
   }
 
   nb::module_& module_;
   nb::class_<Bound>& bound_;
   std::string prefix_;
   std::string signature_ = fmt::format(
-      "def move_character(self, shape: Shape, start: {0}MoverState, motion: numpy.typing.ArrayLike, options: MoverOptions "
-      "= ..., *, only: {1} | None = None, moved: collections.abc.Sequence[tuple[{2}, toccata._typing.PoseLike | None]] | "
+      "def move_character(self, shape: Shape, start: {0}MoverState, motion: numpy.typing.ArrayLike, options: "
+      "MoverOptions "
+      "= ..., *, only: {1} | None = None, moved: collections.abc.Sequence[tuple[{2}, toccata._typing.PoseLike | None]] "
+      "| "
       "None = None) -> {0}MoverStep",
       prefix_, std::is_same_v<Id, Index> ? "numpy.typing.ArrayLike" : "BodyFilter",
       std::is_same_v<Id, Index> ? "int" : "BodyId");

@@ -28,7 +28,8 @@ struct Described<MeshImpact> {
       "neighbouring multiples of 2**-40, or is both.";
   static constexpr std::tuple fields{
       field<Row, &Row::a, &MeshFeature::kind>("kind_a", "Vertex, edge or face; of the first mesh, or the lesser."),
-      field<Row, &Row::a, &MeshFeature::number>("number_a", "The vertex, the edge (DeformingMesh.edges) or the triangle."),
+      field<Row, &Row::a, &MeshFeature::number>("number_a",
+                                                "The vertex, the edge (DeformingMesh.edges) or the triangle."),
       field<Row, &Row::b, &MeshFeature::kind>("kind_b", "The same of the other."),
       field<Row, &Row::b, &MeshFeature::number>("number_b", ""),
       field<Row, &Row::time, &TimeOfImpact::lower>("lower", "They do not meet before; from 0 to 1."),
@@ -97,8 +98,10 @@ void bind_ways(nb::class_<HeldDeforming>& bound) {
             held.with([&](DeformingMesh& mesh) { mesh.move_to(std::move(vertices), threads); });
           },
           nb::arg("end"), nb::kw_only(), nb::arg("threads") = own_thread,
-          "Another end of the same step, shape (N, 3), as when a solver tries a shorter one. No question sees an old box "
-          "after it. Raises Error for another number of vertices and for one that is not finite; the mesh then stays as "
+          "Another end of the same step, shape (N, 3), as when a solver tries a shorter one. No question sees an old "
+          "box "
+          "after it. Raises Error for another number of vertices and for one that is not finite; the mesh then stays "
+          "as "
           "it was.")
       .def(
           "advance",
@@ -111,17 +114,15 @@ void bind_ways(nb::class_<HeldDeforming>& bound) {
       .def_prop_ro(
           "start",
           [](const HeldDeforming& held) {
-            return vertices_told(held.with([](const DeformingMesh& mesh) {
-              return std::vector<Vec3>(mesh.start().begin(), mesh.start().end());
-            }));
+            return vertices_told(held.with(
+                [](const DeformingMesh& mesh) { return std::vector<Vec3>(mesh.start().begin(), mesh.start().end()); }));
           },
           "Where the vertices are at the time 0, shape (N, 3): a new array.")
       .def_prop_ro(
           "end",
           [](const HeldDeforming& held) {
-            return vertices_told(held.with([](const DeformingMesh& mesh) {
-              return std::vector<Vec3>(mesh.end().begin(), mesh.end().end());
-            }));
+            return vertices_told(held.with(
+                [](const DeformingMesh& mesh) { return std::vector<Vec3>(mesh.end().begin(), mesh.end().end()); }));
           },
           "And at the time 1.")
       .def_prop_ro(
@@ -130,7 +131,8 @@ void bind_ways(nb::class_<HeldDeforming>& bound) {
             static_assert(sizeof(IndexPair) == 2 * sizeof(Index));
             return nb::borrow<Indices>(array_over<Index>(held.with([](const DeformingMesh& mesh) {
               return std::vector<IndexPair>(mesh.edges().begin(), mesh.edges().end());
-            }), {2}));
+            }),
+                                                         {2}));
           },
           "Every edge of a triangle once, by its vertices, ascending, shape (E, 2): an edge's number is its row.")
       .def("__repr__", [](const HeldDeforming& held) {
@@ -151,17 +153,16 @@ void bind_impacts(nb::class_<HeldDeforming>& bound, const char* name, const char
         return ask(held, other, ImpactOptions{separation, starts_free, threads});
       },
       nb::arg("other") = nb::none(), nb::kw_only(), nb::arg("separation") = 0.0, nb::arg("starts_free") = false,
-      nb::arg("threads") = own_thread,
-      nb::sig(signature), doc);
+      nb::arg("threads") = own_thread, nb::sig(signature), doc);
 }
 
-#define TOCCATA_IMPACT_SIGNATURE(name, answer)                                                                 \
-  "def " name "(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, " \
+#define TOCCATA_IMPACT_SIGNATURE(name, answer)                                                         \
+  "def " name                                                                                          \
+  "(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, " \
   "threads: int = 1) -> " answer
 
 void bind_impacts_of(nb::class_<HeldDeforming>& bound) {
-  bind_impacts(bound, "meets", TOCCATA_IMPACT_SIGNATURE("meets", "bool"),
-               "Whether any two features meet in the step.",
+  bind_impacts(bound, "meets", TOCCATA_IMPACT_SIGNATURE("meets", "bool"), "Whether any two features meet in the step.",
                [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
                  return held.ask(other, [&](const auto&... meshes) { return meets(meshes..., options); });
                });
@@ -173,8 +174,7 @@ void bind_impacts_of(nb::class_<HeldDeforming>& bound) {
   bind_impacts(bound, "impacts", TOCCATA_IMPACT_SIGNATURE("impacts", "toccata._typing.Answers"),
                "All that meet, each two once, in the same order: a structured array with the members of MeshImpact.",
                [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 return structured(
-                     held.ask(other, [&](const auto&... meshes) { return impacts(meshes..., options); }));
+                 return structured(held.ask(other, [&](const auto&... meshes) { return impacts(meshes..., options); }));
                });
   bind_impacts(bound, "free_step", TOCCATA_IMPACT_SIGNATURE("free_step", "tuple[float, MeshImpact | None]"),
                "The part of the step in which nothing meets, and what ends it: 1 and None where all of it is free. "
@@ -213,7 +213,9 @@ void bind_deforming(nb::module_& module) {
       .value("edge", FeatureKind::edge)
       .value("face", FeatureKind::face);
   bind_answer<MeshImpact>(module);
-  nb::class_<HeldDeforming> bound(module, "DeformingMesh", R"(A mesh over one step, in which every vertex moves straight on: continuous collision of meshes that deform.
+  nb::class_<HeldDeforming> bound(
+      module, "DeformingMesh",
+      R"(A mesh over one step, in which every vertex moves straight on: continuous collision of meshes that deform.
 
 At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end` is where it starts. Questions are asked
 of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting

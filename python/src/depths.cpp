@@ -49,15 +49,16 @@ Error like penetration, and for a precision or a limit that is not above 0.)");
          double time_limit, Solid solid_a, Solid solid_b, int threads) {
         const PairsAsked pairs(a, b, poses_a, poses_b, solid_a, solid_b);
         const DepthOptions depth{precision, time_limit};
-        return structured(asked_of_pairs(
-            pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
+        return structured(
+            asked_of_pairs(pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
               return depth_bracket_each(batch, depth, options);
             }));
       },
       nb::arg("a"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(), nb::kw_only(),
       nb::arg("precision") = DepthOptions{}.precision, nb::arg("time_limit") = unlimited,
       nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads,
-      "depth_bracket of many, on all cores: a structured array with the members of DepthBracket. The time limit is that "
+      "depth_bracket of many, on all cores: a structured array with the members of DepthBracket. The time limit is "
+      "that "
       "of each.");
 }
 
@@ -109,34 +110,35 @@ void bind_manifolds(nb::module_& module) {
           "Of A, of a mesh triangles; shape (count,).")
       .def_prop_ro(
           "elements_b",
-          [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_b, m.count)); },
-          "Of B.");
-  def_pair_question(module, "manifolds",
-                    R"(Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
+          [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_b, m.count)); }, "Of B.");
+  def_pair_question(
+      module, "manifolds",
+      R"(Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
 
 What slides over a surface does not catch on its inner edges. Empty exactly when they are apart, but for two half-spaces and
 for what lies wholly within where no penetration is defined. Raises Error like overlap.)",
-                    [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
-                       Solid solid_a, Solid solid_b) {
-                      const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
-                      return asked_about(a.model, b.model,
-                                         [&](const Model& x, const Model& y) { return manifolds(x, y, query); });
-                    });
+      [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
+         Solid solid_b) {
+        const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
+        return asked_about(a.model, b.model, [&](const Model& x, const Model& y) { return manifolds(x, y, query); });
+      });
   module.def(
       "manifold_each",
       [](const ShapesLike& a, const ShapesLike& b, const PosesLike& poses_a, const PosesLike& poses_b, int threads) {
         const PairsAsked pairs(a, b, poses_a, poses_b, Solid::automatic, Solid::automatic);
-        return rows_told(asked_of_pairs(
-            pairs, threads,
-            [](const Batch<PairQuery>& batch, const BatchOptions& options) { return manifold_each(batch, options); }));
+        return rows_told(asked_of_pairs(pairs, threads, [](const Batch<PairQuery>& batch, const BatchOptions& options) {
+          return manifold_each(batch, options);
+        }));
       },
       nb::arg("a"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(), nb::kw_only(),
       nb::arg("threads") = all_threads,
-      nb::sig("def manifold_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: "
-              "toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, threads: int "
-              "= 0) -> tuple[numpy.typing.NDArray[numpy.int32], toccata._typing.Floats, toccata._typing.Floats, "
-              "toccata._typing.Floats]"),
-      "manifold of many, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which the "
+      nb::sig(
+          "def manifold_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: "
+          "toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, threads: int "
+          "= 0) -> tuple[numpy.typing.NDArray[numpy.int32], toccata._typing.Floats, toccata._typing.Floats, "
+          "toccata._typing.Floats]"),
+      "manifold of many, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which "
+      "the "
       "first `count` of each are points and the others 0.");
 }
 
@@ -157,8 +159,8 @@ void bind_distances_within(nb::module_& module) {
       [](const ShapesLike& a, const ShapesLike& b, double limit, const PosesLike& poses_a, const PosesLike& poses_b,
          Solid solid_a, Solid solid_b, int threads) {
         const PairsAsked pairs(a, b, poses_a, poses_b, solid_a, solid_b);
-        return structured(rows_of(asked_of_pairs(
-            pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
+        return structured(
+            rows_of(asked_of_pairs(pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
               return distance_within_each(batch, limit, options);
             })));
       },

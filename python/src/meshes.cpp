@@ -34,7 +34,8 @@ struct Described<MeshRepair> {
       field<MeshRepair, &MeshRepair::moved_vertices>("moved_vertices", "Of the boundary, onto another one."),
       field<MeshRepair, &MeshRepair::collapsed_triangles>("collapsed_triangles", "They are gone."),
       field<MeshRepair, &MeshRepair::filled_holes>("filled_holes", ""),
-      field<MeshRepair, &MeshRepair::added_triangles>("added_triangles", "Each is a face of its own, after the others."),
+      field<MeshRepair, &MeshRepair::added_triangles>("added_triangles",
+                                                      "Each is a face of its own, after the others."),
       field<MeshRepair, &MeshRepair::open_holes>("open_holes", "That are wider, or no simple loop.")};
 };
 
@@ -60,9 +61,7 @@ void bind_faults(nb::module_& module) {
       .def_ro("kind", &MeshFault::kind)
       .def_prop_ro(
           "edges",
-          [](const MeshFault& fault) {
-            return nb::borrow<Indices>(array_over<Index>(std::vector(fault.edges), {2}));
-          },
+          [](const MeshFault& fault) { return nb::borrow<Indices>(array_over<Index>(std::vector(fault.edges), {2})); },
           "By their vertices, shape (N, 2).")
       .def_prop_ro("triangles",
                    [](const MeshFault& fault) {
@@ -81,7 +80,8 @@ void bind_faults(nb::module_& module) {
         return without_lock([&, kept = mesh.model] { return mesh_faults(triangles); });
       },
       nb::arg("mesh"),
-      "Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it says.");
+      "Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it "
+      "says.");
 }
 
 void bind_closing(nb::module_& module) {
@@ -99,8 +99,10 @@ void bind_closing(nb::module_& module) {
         return nb::make_tuple(shape_object(closed), done);
       },
       nb::arg("mesh"), nb::arg("gap"), nb::sig("def close_mesh(mesh: Mesh, gap: float) -> tuple[Mesh, MeshRepair]"),
-      "Another mesh with the gaps closed that are no wider than `gap`, in the unit of the coordinates, and what was done: "
-      "vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. What "
+      "Another mesh with the gaps closed that are no wider than `gap`, in the unit of the coordinates, and what was "
+      "done: "
+      "vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. "
+      "What "
       "is no boundary stays as it is. Raises Error when the gap is not positive and finite.");
   module.def(
       "closing_gap",
@@ -109,7 +111,8 @@ void bind_closing(nb::module_& module) {
         return without_lock([&, kept = mesh.model] { return closing_gap(triangles); });
       },
       nb::arg("mesh"),
-      "A gap by which close_mesh closes the mesh, at most twice the least of some that are tried; 0 of a closed one, None "
+      "A gap by which close_mesh closes the mesh, at most twice the least of some that are tried; 0 of a closed one, "
+      "None "
       "where none does.");
   module.def(
       "mesh_parts",
@@ -119,7 +122,8 @@ void bind_closing(nb::module_& module) {
             without_lock([&, kept = mesh.model] { return mesh_parts(triangles).part_of_triangle; }), {}));
       },
       nb::arg("mesh"),
-      "To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected through "
+      "To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected "
+      "through "
       "vertices, of equal coordinates taken as one.");
 }
 
@@ -139,7 +143,8 @@ void bind_hulls(nb::module_& module) {
       nb::arg("half_spaces"),
       nb::sig("def hull_of_half_spaces(half_spaces: collections.abc.Sequence[HalfSpace]) -> ConvexHull"),
       "The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles. "
-      "Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no "
+      "Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has "
+      "no "
       "end.");
   module.def(
       "view_frustum",
@@ -154,7 +159,8 @@ void bind_hulls(nb::module_& module) {
       nb::sig("def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, up: "
               "numpy.typing.ArrayLike = (0.0, 1.0, 0.0), *, field_of_view: float = 60.0, aspect: float = 1.0, nearest: "
               "float = 0.1, farthest: float = 1000.0) -> ConvexHull"),
-      "The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in degrees; "
+      "The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in "
+      "degrees; "
       "aspect, its width over its height; nearest and farthest, in the unit of the coordinates. What it overlaps is in "
       "view. Raises Error that names a number out of range.");
 }
@@ -168,9 +174,12 @@ void bind_scene_files(nb::module_& module) {
         return without_lock([&] { return scene_models(read_scene(path, options)); });
       },
       nb::arg("path"), nb::arg("unit") = nb::none(), nb::kw_only(), nb::arg("scale") = 1.0, nb::arg("split") = false,
-      "The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their node "
-      "tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, \"mm\", \"in\", or metres as a number; "
-      "lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. Raises "
+      "The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their "
+      "node "
+      "tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, \"mm\", \"in\", or metres as a "
+      "number; "
+      "lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. "
+      "Raises "
       "Error naming the file and the line.");
 }
 

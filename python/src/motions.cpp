@@ -124,17 +124,18 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           "From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.")
       .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin,
                   "Through poses at times that ascend from 0 to 1, as between each and the next.")
-      .def_static("of", &by_function, nb::arg("pose_at"), nb::kw_only(), nb::arg("speed"), nb::arg("turns") = 0.0,
-                  nb::arg("centre") = origin, nb::arg("rounding") = 0.0,
-                  nb::sig("def of(pose_at: collections.abc.Callable[[float], toccata._typing.PoseLike], *, speed: float, "
-                          "turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) "
-                          "-> RigidMotion"),
-                  "Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: "
-                  "the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast "
-                  "it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all "
-                  "such motions. The function is asked from any thread, with the interpreter's lock, and has to return the "
-                  "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
-                  "or not finite.")
+      .def_static(
+          "of", &by_function, nb::arg("pose_at"), nb::kw_only(), nb::arg("speed"), nb::arg("turns") = 0.0,
+          nb::arg("centre") = origin, nb::arg("rounding") = 0.0,
+          nb::sig("def of(pose_at: collections.abc.Callable[[float], toccata._typing.PoseLike], *, speed: float, "
+                  "turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) "
+                  "-> RigidMotion"),
+          "Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: "
+          "the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast "
+          "it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all "
+          "such motions. The function is asked from any thread, with the interpreter's lock, and has to return the "
+          "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
+          "or not finite.")
       .def(
           "at", [](const RigidMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
           "The pose at a time from 0 to 1, rounded. Raises Error for another time.")

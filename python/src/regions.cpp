@@ -69,8 +69,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 std::vector<RegionQuery> regions_of(const nb::object& boxes, const nb::object& centres, const nb::object& radii,
                                     const Pose& pose) {
   std::vector<RegionQuery> queries;
-  if (!boxes.is_none() && (!centres.is_none() || !radii.is_none()))
-    throw Error("regions: boxes or balls, not both");
+  if (!boxes.is_none() && (!centres.is_none() || !radii.is_none())) throw Error("regions: boxes or balls, not both");
   if (!boxes.is_none()) {
     for (const Aabb& box : boxes_of(boxes, "boxes")) queries.push_back({box, pose});
     return queries;
@@ -110,8 +109,8 @@ deep inside finds none. Raises Error when the box is empty or not finite, and fo
       [](const AnyShape& shape, const nb::object& boxes, const nb::object& centres, const nb::object& radii,
          const PoseLike& pose, int threads) {
         const std::vector<RegionQuery> queries = regions_of(boxes, centres, radii, pose_of(pose, "pose"));
-        return structured(numbered<OfQuery>(
-            Interruptible(threads, false).ask([&, model = shape.model](const BatchOptions& options) {
+        return structured(
+            numbered<OfQuery>(Interruptible(threads, false).ask([&, model = shape.model](const BatchOptions& options) {
               return faces_in_region_each(queries, model, options);
             })));
       },
@@ -120,7 +119,8 @@ deep inside finds none. Raises Error when the box is empty or not finite, and fo
       nb::sig("def faces_in_region_each(shape: Shape, *, boxes: numpy.typing.ArrayLike | None = None, centres: "
               "numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike | None = None, pose: "
               "toccata._typing.PoseLike | None = None, threads: int = 0) -> toccata._typing.Answers"),
-      "faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or N, on "
+      "faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or "
+      "N, on "
       "all cores: one structured array of all, in order, whose field query says of which region a row is.");
 }
 
@@ -130,14 +130,14 @@ void bind_points(nb::module_& module) {
       [](const ArrayLike& points, std::size_t k, const ObjectsLike& objects, double max_distance, int threads) {
         const std::vector<Vec3> given = vectors_of(points, "points");
         const std::vector<SceneInstance> instances = instances_of(objects, "objects");
-        return structured(
-            numbered<OfQuery>(Interruptible(threads, false).ask([&](const BatchOptions& options) {
-              return nearest_points_each(given, k, instances, max_distance, options);
-            })));
+        return structured(numbered<OfQuery>(Interruptible(threads, false).ask([&](const BatchOptions& options) {
+          return nearest_points_each(given, k, instances, max_distance, options);
+        })));
       },
       nb::arg("points"), nb::arg("k"), nb::arg("objects"), nb::arg("max_distance") = unlimited, nb::kw_only(),
       nb::arg("threads") = all_threads,
-      "Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured array, "
+      "Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured "
+      "array, "
       "the nearest first of each, with query, object and the members of SurfacePoint. Raises Error naming the point.");
   module.def(
       "scene_signed_distance_each",
@@ -155,7 +155,8 @@ void bind_points(nb::module_& module) {
       nb::arg("points"), nb::arg("objects"), nb::arg("sign_by") = SignBy::automatic, nb::kw_only(),
       nb::arg("threads") = all_threads,
       "How far many points, shape (N, 3), are from the nearest surface of all objects, negative inside one of them: a "
-      "structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the first "
+      "structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the "
+      "first "
       "object that the point is inside of.");
 }
 

@@ -45,7 +45,8 @@ struct RobotDistanceTold {
 template <>
 struct Described<RobotContact> {
   static constexpr const char* name = "RobotContact";
-  static constexpr const char* doc = "A link and what it meets: another link, or an obstacle. RobotScene.names tells them.";
+  static constexpr const char* doc =
+      "A link and what it meets: another link, or an obstacle. RobotScene.names tells them.";
   static constexpr std::tuple fields{
       field<RobotContact, &RobotContact::link>("link", "The number of the link."),
       field<RobotContact, &RobotContact::with_obstacle>("with_obstacle", "The other is an obstacle, and else a link."),
@@ -69,7 +70,8 @@ struct Described<RobotDistanceTold> {
   using Told = RobotDistanceTold;
   static constexpr const char* name = "RobotDistance";
   static constexpr const char* doc =
-      "The least of the distances of all pairs that are looked at: the exact one lies in [lower, upper], in the unit of "
+      "The least of the distances of all pairs that are looked at: the exact one lies in [lower, upper], in the unit "
+      "of "
       "the coordinates, both 0 where they meet. A is the link.";
   static constexpr auto fields = std::tuple_cat(
       fields_within<Told, &Told::nearest>(Described<RobotNearest>::fields),
@@ -191,10 +193,10 @@ void bind_scene(nb::class_<RobotScene>& bound) {
           "obstacles",
           [](const RobotScene& scene) { return std::vector(scene.obstacles().begin(), scene.obstacles().end()); },
           "In their order: their numbers are their places here.")
-      .def(
-          "names", &names_of, nb::arg("answer"),
-          nb::sig("def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]"),
-          "What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an obstacle.")
+      .def("names", &names_of, nb::arg("answer"),
+           nb::sig("def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]"),
+           "What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an "
+           "obstacle.")
       .def(
           "looks_at",
           [](const RobotScene& scene, Index link, Index other, bool with_obstacle) {
@@ -242,11 +244,10 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
       .def(
           "contacts_each",
           [](const RobotScene& scene, const ArrayLike& configurations, int threads) {
-            return structured(numbered<OfQuery>(
-                of_many(scene, configurations, threads,
-                        [](const RobotScene& asked, auto numbers, const BatchOptions& options) {
-                          return asked.contacts_each(numbers, ContactsTold::all, options);
-                        })));
+            return structured(numbered<OfQuery>(of_many(
+                scene, configurations, threads, [](const RobotScene& asked, auto numbers, const BatchOptions& options) {
+                  return asked.contacts_each(numbers, ContactsTold::all, options);
+                })));
           },
           nb::arg("configurations"), nb::kw_only(), nb::arg("threads") = all_threads,
           "contacts of many, shape (N, P), on all cores: one structured array of all, in order, with the members of "
@@ -260,8 +261,7 @@ void bind_distances(nb::class_<RobotScene>& bound) {
           [](const RobotScene& scene, const ArrayLike& configuration,
              double max_distance) -> std::optional<RobotDistanceTold> {
             const Configurations given = configuration_of(configuration, scene.robot(), "configuration");
-            const auto found =
-                without_lock([&, copy = scene] { return copy.distance(given.numbers(), max_distance); });
+            const auto found = without_lock([&, copy = scene] { return copy.distance(given.numbers(), max_distance); });
             return found ? std::optional(told(*found)) : std::nullopt;
           },
           nb::arg("configuration"), nb::arg("max_distance") = no_limit,
@@ -271,10 +271,10 @@ void bind_distances(nb::class_<RobotScene>& bound) {
           "distance_each",
           [](const RobotScene& scene, const ArrayLike& configurations, double max_distance, int threads) {
             return distances_told(of_many(scene, configurations, threads,
-                                   [&](const RobotScene& asked, auto numbers, const BatchOptions& options) {
-                                     return asked.distance_each(numbers, max_distance, options);
-                                   }),
-                           scene.robot().positions().size());
+                                          [&](const RobotScene& asked, auto numbers, const BatchOptions& options) {
+                                            return asked.distance_each(numbers, max_distance, options);
+                                          }),
+                                  scene.robot().positions().size());
           },
           nb::arg("configurations"), nb::arg("max_distance") = no_limit, nb::kw_only(),
           nb::arg("threads") = all_threads,
@@ -290,9 +290,8 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           [](const RobotScene& scene, const ArrayLike& begin, const ArrayLike& end, double precision) {
             const Configurations from = configuration_of(begin, scene.robot(), "begin"),
                                  to = configuration_of(end, scene.robot(), "end");
-            return without_lock([&, copy = scene] {
-              return copy.edge(from.numbers(), to.numbers(), {.precision = precision});
-            });
+            return without_lock(
+                [&, copy = scene] { return copy.edge(from.numbers(), to.numbers(), {.precision = precision}); });
           },
           nb::arg("begin"), nb::arg("end"), nb::arg("precision") = usual,
           "The straight way from one configuration to another, shapes (P,): free at every moment, or when which two "
@@ -311,14 +310,15 @@ void bind_edges(nb::class_<RobotScene>& bound) {
       .def(
           "free_each",
           [](const RobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision, int threads) {
-            return booleans_told(of_many_ways(
-                scene, begins, ends, precision, threads,
-                [](const RobotScene& asked, auto from, auto to, const EdgeOptions& options) {
-                  return asked.free_each(from, to, options);
-                }));
+            return booleans_told(
+                of_many_ways(scene, begins, ends, precision, threads,
+                             [](const RobotScene& asked, auto from, auto to, const EdgeOptions& options) {
+                               return asked.free_each(from, to, options);
+                             }));
           },
           nb::arg("begins"), nb::arg("ends"), nb::arg("precision") = usual, nb::kw_only(),
-          nb::arg("threads") = all_threads, "Only whether each is free, which is quicker: an array of bools, shape (N,).");
+          nb::arg("threads") = all_threads,
+          "Only whether each is free, which is quicker: an array of bools, shape (N,).");
 }
 
 void bind_obstacles(nb::module_& module) {
@@ -336,11 +336,14 @@ void bind_obstacles(nb::module_& module) {
         return voxel_map(vectors_of(middles, "middles"), edge, name);
       },
       nb::arg("middles"), nb::arg("edge"), nb::arg("name") = "voxels",
-      "The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube around each middle, shape "
+      "The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube around each middle, "
+      "shape "
       "(N, 3). Raises Error like point_cloud.");
   module.def(
       "generated_room",
-      [](std::size_t boxes, bool meshes, std::uint64_t seed) { return generated_room({boxes, meshes, seed}); },
+      [](std::size_t boxes, bool meshes, std::uint64_t seed) {
+        return generated_room({boxes, meshes, seed});
+      },
       nb::arg("boxes") = 100, nb::arg("meshes") = true, nb::arg("seed") = 1,
       "What stands around Robot.generated(): boxes that are turned any way, and three meshes.");
 }

@@ -37,10 +37,10 @@ Configurations given_configurations(nb::handle given, const Robot& robot, std::s
   const std::size_t positions = robot.positions().size();
   Configurations configurations{doubles(given, what)};
   if (!configurations.given.has_shape(many ? 2 : 1, {positions}))
-    throw Error(fmt::format("{}: the robot has {} positions, so the shape {} is needed, and what is given has the shape {}",
-                            what, positions,
-                            many ? fmt::format("(N, {})", positions) : fmt::format("({},)", positions),
-                            shape_text(configurations.given.shape)));
+    throw Error(
+        fmt::format("{}: the robot has {} positions, so the shape {} is needed, and what is given has the shape {}",
+                    what, positions, many ? fmt::format("(N, {})", positions) : fmt::format("({},)", positions),
+                    shape_text(configurations.given.shape)));
   return configurations;
 }
 
@@ -152,9 +152,8 @@ position it follows.)")
                    arguments_of(joint).equal(arguments_of(nb::cast<const RobotJoint&>(other)));
           },
           nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__reduce__", [](const RobotJoint& joint) {
-        return nb::make_tuple(nb::type<RobotJoint>(), arguments_of(joint));
-      })
+      .def("__reduce__",
+           [](const RobotJoint& joint) { return nb::make_tuple(nb::type<RobotJoint>(), arguments_of(joint)); })
       .attr("__hash__") = nb::none();
   nb::class_<RobotPosition>(module, "RobotPosition", "One of the numbers that a configuration is made of.")
       .def_ro("name", &RobotPosition::name, "The joint's; of a planar or floating one with \"/x\", \"/y\", …")
@@ -253,14 +252,17 @@ void bind_making(nb::class_<Robot>& bound) {
           nb::sig("def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: "
                   "collections.abc.Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = "
                   "None) -> None"))
-      .def_static("from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = std::vector<std::string>{},
-                  nb::sig("def from_urdf(path: str, packages: collections.abc.Sequence[str] = ()) -> Robot"),
-                  "Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, "
-                  "before the folders that the file lies in. Raises Error naming the file, line and element; warns of "
-                  "sizes that look like another unit, and of links that have a picture alone.")
+      .def_static(
+          "from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = std::vector<std::string>{},
+          nb::sig("def from_urdf(path: str, packages: collections.abc.Sequence[str] = ()) -> Robot"),
+          "Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, "
+          "before the folders that the file lies in. Raises Error naming the file, line and element; warns of "
+          "sizes that look like another unit, and of links that have a picture alone.")
       .def_static(
           "generated",
-          [](int subdivisions, std::uint64_t seed) { return Robot(generated_arm({subdivisions, seed})); },
+          [](int subdivisions, std::uint64_t seed) {
+            return Robot(generated_arm({subdivisions, seed}));
+          },
           nb::arg("subdivisions") = 3, nb::arg("seed") = 1,
           "An arm of seven joints with a mesh of 20 · 4^subdivisions triangles for each link, 1.3 long: to try things "
           "with.")
@@ -283,8 +285,9 @@ void bind_making(nb::class_<Robot>& bound) {
 }
 
 void bind_parts_of_robot(nb::class_<Robot>& bound) {
-  bound.def_prop_ro(
-           "name", [](const Robot& robot) { return robot.name(); }, "As its file has it.")
+  bound
+      .def_prop_ro(
+          "name", [](const Robot& robot) { return robot.name(); }, "As its file has it.")
       .def_prop_ro("links", &link_names, "Their names; a link's number is its place here.")
       .def_prop_ro(
           "joints", [](const Robot& robot) { return std::vector(robot.joints().begin(), robot.joints().end()); },
@@ -306,8 +309,7 @@ void bind_parts_of_robot(nb::class_<Robot>& bound) {
 void bind_configurations(nb::class_<Robot>& bound) {
   bound
       .def(
-          "rest",
-          [](const Robot& robot) { return numbers_told(robot.rest(), {robot.positions().size()}); },
+          "rest", [](const Robot& robot) { return numbers_told(robot.rest(), {robot.positions().size()}); },
           "All positions 0, or the middle of limits that exclude 0; shape (P,).")
       .def(
           "sampled",
@@ -320,7 +322,8 @@ void bind_configurations(nb::class_<Robot>& bound) {
           "read_configurations",
           [](const Robot& robot, const std::string& path) {
             std::vector<double> numbers = read_configurations(path, robot);
-            const std::size_t positions = robot.positions().size(), count = numbers.size() / std::max<std::size_t>(positions, 1);
+            const std::size_t positions = robot.positions().size(),
+                              count = numbers.size() / std::max<std::size_t>(positions, 1);
             return numbers_told(std::move(numbers), {count, positions});
           },
           nb::arg("path"),
@@ -345,7 +348,8 @@ void bind_configurations(nb::class_<Robot>& bound) {
           "link_poses_each",
           [](const Robot& robot, const ArrayLike& configurations, int threads) {
             const Configurations given = configurations_of(configurations, robot, "configurations");
-            const auto poses = without_lock([&, copy = robot] { return copy.link_poses_each(given.numbers(), threads); });
+            const auto poses =
+                without_lock([&, copy = robot] { return copy.link_poses_each(given.numbers(), threads); });
             return matrices_told(poses, {given.given.rows(), robot.links().size(), 4, 4});
           },
           nb::arg("configurations"), nb::kw_only(), nb::arg("threads") = all_threads,

@@ -213,7 +213,8 @@ constexpr double most_index = std::numeric_limits<Index>::max();
 
 std::vector<CheckedPair> pairs_of(const CheckAnswer& answer) {
   std::vector<CheckedPair> pairs;
-  for (const PairAnswer& pair : answer.pairs) pairs.push_back({pair.a, pair.b, pair.relation, pair.kind, pair.tolerance});
+  for (const PairAnswer& pair : answer.pairs)
+    pairs.push_back({pair.a, pair.b, pair.relation, pair.kind, pair.tolerance});
   return pairs;
 }
 

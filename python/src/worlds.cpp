@@ -462,7 +462,8 @@ void bind_state_of_world(BoundWorld& bound) {
                 [&] { return held.ask([](const WorldQueries& queries) { return queries.any_contact(); }); }));
           },
           nb::sig("def any_contact(self) -> tuple[BodyId, BodyId] | None"),
-          "The least pair of bodies that have a point in common where they are now, by their indices, of those that make "
+          "The least pair of bodies that have a point in common where they are now, by their indices, of those that "
+          "make "
           "pairs; None is proved. Margins do not matter. Needs no step.")
       .def(
           "any_within",
@@ -484,7 +485,8 @@ void bind_state_of_world(BoundWorld& bound) {
           nb::arg("max_distance") = std::numeric_limits<double>::infinity(),
           nb::sig("def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | "
                   "None"),
-          "The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where none "
+          "The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where "
+          "none "
           "is within the greatest distance.")
       .def_prop_ro(
           "pairs",

@@ -44,6 +44,7 @@ def some_calls():
         toccata.contacts_with_points(knot, box, pose_b=pose)
         toccata.check_all([ball, (box, pose)], contacts=True, penetration=True, threads=1).pairs
         toccata.Mesh(knot.vertices[:9], [[0, 1, 2]]).update(numpy.zeros((9, 3)))
+    for _ in range(PER_ROUND // 500):
         scene.distance_each(many, threads=1)["gradient"], scene.edge(many[0], many[1]), scene.contacts_each(many, threads=1)
         robot.posed(many[0]), robot.with_attached("cup", ball, "link 7"), robot.link_poses_each(many, threads=1)
         deforming.advance(deforming.start + 1), deforming.impacts()
