@@ -34,7 +34,7 @@ TESTED_EVERYWHERE = ["test_questions.py", "test_shapes.py", "test_scenes.py", "t
 NEEDED = ["CMakeLists.txt", "cmake/ToccataBuildFlags.cmake", "include/toccata/toccata.hpp", "src/query/model.cpp", "apps/viewer/dist/page.html",
           "python/CMakeLists.txt", "python/src/module.cpp", "python/toccata/__init__.pyi", "LICENSE"]
 BUILDING = ["scikit-build-core >= 0.11", "nanobind >= 3.1, < 4", "numpy >= 1.24", "typing_extensions"]
-TESTING = ["pytest", "hypothesis", "scipy", "trimesh", "mypy", "nanobind", "typing_extensions"]
+TESTING = ["pytest", "hypothesis", "scipy", "trimesh", "python-fcl", "mypy", "nanobind", "typing_extensions"]
 PIP = ["-m", "pip", "--disable-pip-version-check"]
 SKIPPED = 77
 

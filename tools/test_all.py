@@ -23,8 +23,9 @@ EVIDENCE = ROOT / "docs/evidence"
 FUZZ_SECONDS = 120
 CODE = ["apps", "cmake", "include", "src", "tests", "CMakeLists.txt", "CMakePresets.json"]
 ALL = [".", ":!docs/evidence"]
-# What does not depend on the compiler, and nothing but repeats where the step test has run: texts, and pages in a browser.
-TEXTS = "^viewer/|^repository/(format|layering|ledger|proofs|recipes|rooms)$"
+# What does not depend on the compiler, and nothing but repeats where the step test has run: texts, pages in a browser, and
+# the Python package.
+TEXTS = "^python/|^viewer/|^repository/(format|layering|ledger|proofs|recipes|rooms)$"
 BEGINS_THREADS = re.compile(r"core/parallel\.hpp|<(atomic|condition_variable|future|mutex|thread)>|tbb/")
 WITH_CGAL = "-DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_WITH_CGAL=ON"
 
@@ -67,7 +68,7 @@ STEPS = {
                   packages="$(cat tools/packages-bench-peers.txt)"),
     "page": Step("python3 tests/viewer/check_template.py --npm", ["apps/viewer", "tests/viewer"]),
     "clang": Step("configure clang; build clang", ALL, "clang", tests="clang", leaving=TEXTS),
-    "debug": Step("configure debug; build debug", ALL, tests="debug", leaving="^viewer/|^repository/"),
+    "debug": Step("configure debug; build debug", ALL, tests="debug", leaving="^python/|^viewer/|^repository/"),
     "tsan": Step(f"configure tsan; build tsan {programs(tested_rooms() - rooms_without_threads())}", tests="tsan",
                  leaving=f"^({'|'.join(sorted(rooms_without_threads()))})/", environment="TSAN_OPTIONS=ignore_noninstrumented_modules=1"),
     "tidy": Step("configure clang -DTOCCATA_BUILD_TESTS=ON; python3 tools/check_tidy.py --all", [*CODE, ".clang-tidy", "tools"], "clang clang-tidy"),

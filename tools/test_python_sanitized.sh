@@ -7,8 +7,10 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 libraries=$(cd "$1" && pwd)
 folder=$root/build/python/sanitized
 python=$root/build/python/asan/bin/python
-if [[ ! -x $python ]]; then python3 -m venv "$root/build/python/asan"; fi
-"$python" -m pip install --quiet --disable-pip-version-check 'nanobind >= 3.1, < 4' numpy pytest hypothesis scipy
+if ! "$python" -c 'import nanobind, numpy, pytest, hypothesis, scipy' 2>/dev/null; then
+  python3 -m venv "$root/build/python/asan"
+  "$python" -m pip install --quiet --disable-pip-version-check 'nanobind >= 3.1, < 4' numpy pytest hypothesis scipy
+fi
 if [[ ! -f $folder/build.ninja ]]; then
   cmake -G Ninja -S "$root/python" -B "$folder" -DCMAKE_BUILD_TYPE=None -DTOCCATA_SANITIZED_BUILD="$libraries" -DPython_EXECUTABLE="$python" >/dev/null
 fi

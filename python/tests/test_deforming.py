@@ -30,7 +30,7 @@ def test_two_meshes_first_meet_at_the_exact_time():
     reached = moving.start + of_moving[:, None] * (moving.end - moving.start)
     moving.move_to(reached)
     assert not moving.meets(still)
-    near = moving.first_impact(still, separation=0.5)
+    near = falling(1, 1).first_impact(still, separation=0.5)
     assert math.isclose(near.upper, 0.25, abs_tol=1e-6)
     moving.move_to(moving.start - (0, 0, 0.9))
     assert not moving.meets(still) and moving.first_impact(still) is None and moving.free_step(still) == (1.0, None)

@@ -179,7 +179,6 @@ def test_robots(a, b, c):
     tried(ROBOT.with_attached, "cup", BALL, "link 1", a, b)
     tried(toccata.point_cloud, a, 0.5)
     tried(toccata.voxel_map, a, b)
-    tried(ROBOT.sampled, a, b)
 
 
 @OFTEN
@@ -196,7 +195,7 @@ def test_what_moves_and_deforms(a, b, c):
     tried(level.move_character, BALL, state or toccata.SceneMoverState(), b, options or toccata.MoverOptions(), only=c)
     tried(level.move_character, BALL, toccata.SceneMoverState((0, 0, 3)), (0, 0, -1), moved=a)
     tried(toccata.velocity_along, a, b)
-    motion = tried(toccata.RigidMotion.of, lambda s: a, speed=1e300)
+    motion = tried(toccata.RigidMotion.of, lambda s: a, speed=10)
     if motion is not None:
         tried(motion.at, 0.5)
         tried(toccata.sweep, BALL, motion, BOX, b)
@@ -214,7 +213,7 @@ def test_depths_and_regions(a, b):
     tried(toccata.faces_in_region_each, MESH, boxes=a)
     tried(toccata.faces_in_region_each, MESH, centres=a, radii=b)
     tried(toccata.nearest_points_each, a, 2, [MESH])
-    tried(toccata.nearest_points_each, [[0, 0, 0]], b, a)
+    tried(toccata.nearest_points_each, [[0, 0, 0]], 2, a, b)
     tried(toccata.scene_signed_distance_each, a, [MESH, BALL])
     tried(toccata.close_mesh, MESH, a)
     tried(toccata.hull_of_half_spaces, a)
