@@ -96,6 +96,21 @@ def interpreters(named):
     return dict(sorted(found.items()))
 
 
+def linked_sources():
+    """A folder with the repository's files alone: what packs them looks at all that is there, environments and objects too."""
+    words = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
+    if listed.returncode != 0:  # no clone
+        return ROOT
+    folder = FOLDER / "packed"
+    shutil.rmtree(folder, ignore_errors=True)
+    for name in filter(None, listed.stdout.split("\0")):
+        if (ROOT / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            os.link(ROOT / name, folder / name)
+    return folder
+
+
 def keep_times(folder):
     """An archive has one time for all files; the compiler's objects are kept by those of the files that were packed."""
     for file in folder.rglob("*"):
@@ -108,7 +123,7 @@ def keep_times(folder):
 
 def made_archive(tools):
     shutil.rmtree(FOLDER / "sdist", ignore_errors=True)
-    run(tools, "-m", "build", "--sdist", "--no-isolation", "--outdir", FOLDER / "sdist", ROOT)
+    run(tools, "-m", "build", "--sdist", "--no-isolation", "--outdir", FOLDER / "sdist", linked_sources())
     archive = next((FOLDER / "sdist").glob("*.tar.gz"))
     with tarfile.open(archive) as sdist:
         names = {name.split("/", 1)[1] for name in sdist.getnames() if "/" in name}
