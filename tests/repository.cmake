@@ -28,7 +28,8 @@ set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed 
 
 # The Python package: a wheel compiled against the installed library, installed into a fresh environment, and thin slices
 # of its tests there. Skipped, saying why, where there is no package index; --all has every Python and whole tests.
-if(TOCCATA_BUILD_COMMAND AND NOT TOCCATA_SANITIZE)
+option(TOCCATA_TEST_PYTHON "Also build the Python package as a wheel, install it and test it there" OFF)
+if(TOCCATA_TEST_PYTHON AND TOCCATA_BUILD_COMMAND AND NOT TOCCATA_SANITIZE)
   add_test(NAME python/wheel COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_wheel.py --slice
                                      --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
   set_tests_properties(python/wheel PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77 PROCESSORS 2 COST 950 TIMEOUT 1800

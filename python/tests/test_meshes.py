@@ -14,7 +14,10 @@ def test_holes_are_found_and_closed():
     (fault,) = toccata.mesh_faults(opened)
     assert fault.kind == toccata.MeshFaultKind.boundary_edges and len(fault) == 3 == opened.health().boundary_edges
     assert fault.edges.shape == (3, 2) and fault.triangles.shape == (0,) and not toccata.mesh_faults(ball)
-    closed, done = toccata.close_mesh(opened, 0.5)
+    a, b, c = ball.vertices[ball.faces[0]]
+    sides = [numpy.linalg.norm(side) for side in (b - a, c - b, a - c)]
+    height = numpy.linalg.norm(numpy.cross(b - a, c - a)) / max(sides)
+    closed, done = toccata.close_mesh(opened, (height + min(sides)) / 2)  # by a triangle, and not by one vertex for its corners
     assert closed.closed and isinstance(closed, toccata.Mesh) and (done.filled_holes, done.added_triangles, done.open_holes) == (1, 1, 0)
     assert toccata.closing_gap(ball) == 0 and toccata.closing_gap(toccata.Mesh(ball.vertices, ball.faces[:1])) is None
     corners = ball.vertices[ball.faces].reshape(-1, 3)
