@@ -27,7 +27,7 @@ SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, const 
   AskOptions options{.threads = arguments.threads};
   std::optional<EarlyEnd> end;
   if (std::holds_alternative<CheckQuestion>(question)) {
-    end.emplace(arguments.limit_time);
+    end.emplace(arguments.stop_after);
     options.stop = [&] { return end->is_due(); };
   }
   if (arguments.format == Format::stream) {

@@ -339,7 +339,7 @@ struct CheckKind {
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
+    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_per_depth", "clearance",
                        "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding", "volume", "tolerance",
                        "tolerances", "group"});
     CheckQuestion q;
