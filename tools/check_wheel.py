@@ -69,8 +69,8 @@ def fresh_environment(name, python, wheel, known):
     shutil.rmtree(folder, ignore_errors=True)
     run(python, "-m", "venv", "--without-pip", folder)
     installed = folder / "bin/python"
-    (site_of(installed) / "known.pth").write_text(f"{site_of(known)}\n")
     run(known, *PIP, "--python", installed, "install", "--quiet", "--no-deps", wheel)
+    (site_of(installed) / "known.pth").write_text(f"{site_of(known)}\n")  # after it, or pip would see them as installed
     return installed
 
 
