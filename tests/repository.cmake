@@ -27,7 +27,7 @@ add_test(NAME repository/examples COMMAND Python3::Interpreter ${PROJECT_SOURCE_
 set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 800)
 
 # The Python package: a wheel compiled against the installed library, installed into a fresh environment, and thin slices
-# of its tests there. Skipped, saying why, where there is no package index; --all has every Python and whole tests.
+# of its tests there. Skipped, saying why, where there is no package index; --all has whole tests, and other Pythons.
 option(TOCCATA_TEST_PYTHON "Also build the Python package as a wheel, install it and test it there" OFF)
 if(TOCCATA_TEST_PYTHON AND TOCCATA_BUILD_COMMAND AND NOT TOCCATA_SANITIZE)
   add_test(NAME python/wheel COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_wheel.py --slice

@@ -9,7 +9,7 @@ installed, wheels compile only the bindings against it; without, the first compi
 takes some minutes. A wheel of 3.12 serves all that follow (the stable interface), so it is built once, by the first of
 them, and tested on each.
 
---quick runs only the tests of questions. --slice is what ./toccata test runs: for python3 alone, compiled without
+--quick runs only the tests of questions. --slice is what the test python/wheel runs (-DTOCCATA_TEST_PYTHON=ON): for python3 alone, compiled without
 optimisation, thin slices of all tests; it ends with 77, telling why, where there is no package index or Python has no
 headers.
 

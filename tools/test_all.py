@@ -193,7 +193,7 @@ def run_sweeps(options):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
     for name, value in (("minutes", options.minutes), ("scale", options.scale)):
-        run += f" --{name} {value}" if value else ""
+        run += "" if value is None else f" --{name} {value}"
     run += " --anew" if options.anew else ""
     return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}") == 0
 

@@ -74,7 +74,8 @@ std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format f
 }  // namespace
 
 bool is_drawn(const PosedArguments& arguments) {
-  return draws_something(target_of(arguments)) || !arguments.exchange.bcf.empty();
+  const ExchangeFiles& files = arguments.exchange;
+  return draws_something(target_of(arguments)) || !files.bcf.empty() || !files.junit.empty() || !files.sarif.empty();
 }
 
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,

@@ -214,7 +214,13 @@ ConvertedScene read_file(const std::string& file, const fs::path& path, const In
   if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
   options.metres_per_unit.reset();
   ConvertedScene read = read_as_it_is(file, path, input, options);
+  const std::string unit = read.scene.unit;
   read.scene = in_metres(std::move(read.scene), file);
+  if (unit != "m")
+    read.notes.push_back(
+        fmt::format("{}: its unit is {}; for the sake of --unit its numbers are made metres and rounded to doubles: "
+                    "what touches or fits exactly there may not any more",
+                    file, unit));
   return read;
 }
 

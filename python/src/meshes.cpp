@@ -176,8 +176,8 @@ void bind_scene_files(nb::module_& module) {
       nb::arg("path"), nb::arg("unit") = nb::none(), nb::kw_only(), nb::arg("scale") = 1.0, nb::arg("split") = false,
       "The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their "
       "node "
-      "tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, \"mm\", \"in\", or metres as a "
-      "number; "
+      "tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, \"mm\", \"in\", or metres, as "
+      "\"0.001\"; "
       "lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. "
       "Raises "
       "Error naming the file and the line.");

@@ -74,7 +74,9 @@ std::function<Pose(double)> asked_with_lock(nb::callable function) {
   };
   return [held = std::shared_ptr<nb::callable>(new nb::callable(std::move(function)), end)](double time) {
     const nb::gil_scoped_acquire acquired;
-    return pose_of((*held)(time), "what pose_at returns");
+    const nb::object pose = (*held)(time);
+    if (pose.is_none()) throw Error("pose_at returns None: it has to return the pose at that time");
+    return pose_of(pose, "what pose_at returns");
   };
 }
 

@@ -203,10 +203,12 @@ void bind_scene(nb::class_<RobotScene>& bound) {
             if (link >= scene.robot().links().size() ||
                 other >= (with_obstacle ? scene.obstacles().size() : scene.robot().links().size()))
               throw Error("link, other: there is no link or obstacle of this number");
-            return scene.looks_at({link, with_obstacle, other});
+            const bool is_exchanged = !with_obstacle && other < link;
+            return is_exchanged ? scene.looks_at({other, false, link}) : scene.looks_at({link, with_obstacle, other});
           },
           nb::arg("link"), nb::arg("other"), nb::arg("with_obstacle") = false,
-          "Whether these two, told by their numbers, are looked at; of two links the lesser number is the first.")
+          "Whether these two, told by their numbers, are looked at: two links in either order, or a link and an "
+          "obstacle.")
       .def("__repr__", [](const RobotScene& scene) {
         return fmt::format("<toccata.RobotScene: {} among {} obstacles>", scene.robot().name(),
                            scene.obstacles().size());
@@ -342,6 +344,7 @@ void bind_obstacles(nb::module_& module) {
   module.def(
       "generated_room",
       [](std::size_t boxes, bool meshes, std::uint64_t seed) {
+        if (boxes > 1'000'000) throw Error("boxes: at most 1,000,000");
         return generated_room({boxes, meshes, seed});
       },
       nb::arg("boxes") = 100, nb::arg("meshes") = true, nb::arg("seed") = 1,

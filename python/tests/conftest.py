@@ -7,7 +7,7 @@ import pytest
 
 import toccata
 
-# ./toccata test looks at a part of what is tried at random; --all and the package's own tests at all of it.
+# The test python/wheel looks at a part of what is tried at random; --all and the package's own tests at all of it.
 SLICE = bool(os.environ.get("TOCCATA_TEST_SLICE"))
 
 

@@ -2033,7 +2033,7 @@ def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike,
 
 def load_scene(path: str, unit: str | None = None, *, scale: float = 1.0, split: bool = False) -> list[SceneInstance]:
     """
-    The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their node tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, "mm", "in", or metres as a number; lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. Raises Error naming the file and the line.
+    The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their node tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, "mm", "in", or metres, as "0.001"; lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. Raises Error naming the file and the line.
     """
 
 class RigidMotion:

@@ -96,7 +96,7 @@ TEST_F(CheckDirty, ByWindingWhatIsInsideAnOpenMeshOverlapsItUndecided) {
       result.out.find("open  contains  screw  (the mesh around it is open: by its generalised winding number, 0."),
       std::string::npos)
       << result.out;
-  EXPECT_EQ(result.err.find("taken as a surface"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("taken as surface"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("is open and what lies inside is told by the winding number, undecided: open ("),
             std::string::npos)
       << result.err;

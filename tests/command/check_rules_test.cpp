@@ -181,6 +181,16 @@ TEST_F(CheckRules, RefuseAClearanceOfWhatTheyLeaveOut) {
   EXPECT_EQ(check(words).exit_code, 1);
 }
 
+TEST_F(CheckRules, OfACaseThatLeaveNoPairAreAnError) {
+  Json question = Json::parse(scene_of({"pipe", "beam"}));
+  question["format"] = "toccata-case";
+  question["query"] = {{"question", "check"}, {"ignore", Json::parse(R"([{"a": ["*"], "b": ["*"]}])")}};
+  folder.write("nothing.json", question.dump());
+  const auto run = run_command({"check", "nothing.json"}, folder.path());
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.err.find("the rules leave no pair of two objects"), std::string::npos) << run.err;
+}
+
 TEST_F(CheckRules, AreAskedAgainAndDrawn) {
   const std::string rules = "pipes = *pipe*\nbetween pipes, *\nignore bolt #2, pipes";
   const auto asked = check({"--json", "--save-case", "case.json"}, rules);

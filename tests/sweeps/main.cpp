@@ -69,6 +69,7 @@ Options parse(int argument_count, char** arguments) {
       throw std::runtime_error("unknown option " + option);
   }
   if (options.evidence.empty()) throw std::runtime_error("--evidence is missing");
+  if (!(options.scale > 0)) throw std::runtime_error("--scale: a number above 0");
   return options;
 }
 

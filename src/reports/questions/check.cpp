@@ -378,6 +378,8 @@ struct CheckKind {
     options.tolerance = question.tolerance;
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
+    if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
+      throw Error("nothing would be checked: the rules leave no pair of two objects");
     const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
     require_wanted(question.pair_clearances, wanted, asking.models);
     const WantedAnswer found = check_wanted(
