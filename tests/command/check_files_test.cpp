@@ -111,7 +111,8 @@ TEST_F(CheckFiles, AUnitIsOfTheFilesThatStateNone) {
   EXPECT_EQ(report["objects"][1]["pose"][0], 0.0254);
   EXPECT_EQ(report["objects"][0]["pose"][0], 0.001);
   ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
-  EXPECT_NE(report["warnings"][0].get<std::string>().find("inches.json: its unit is in; for the sake of --unit its numbers are made metres"),
+  EXPECT_NE(report["warnings"][0].get<std::string>().find(
+                "inches.json: its unit is in; for the sake of --unit its numbers are made metres"),
             std::string::npos);
   EXPECT_NE(trouble({"inches.json", "inches.json", "--unit", "mm"}).find("states its unit itself: leave out --unit"),
             std::string::npos);
