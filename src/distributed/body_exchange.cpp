@@ -134,8 +134,17 @@ void DistributedWorld::State::send(BodyId local, Letters& letters) {
       letter.put(body.pose);
     }
   }
-  for (const int to : own.holders)
-    if (!has(reached_ranks, to)) begin(to, BodyMessage::leave).put(body.pose);
+  for (const int to : own.holders) {
+    if (has(reached_ranks, to)) continue;
+    // In the step to come it is still there: so it has to be what it is now, or that rank would tell pairs of what it
+    // was.
+    if (own.change == Change::replaced) {
+      MessageWriter& letter = begin(to, BodyMessage::put);
+      put_home(letter, to, home, reached_ranks);
+      put_body(letter, body, to);
+    }
+    begin(to, BodyMessage::leave).put(body.pose);
+  }
   own.change = Change::none;
   own.lives_here = home == here;
   own.holders = own.lives_here ? without(reached_ranks, here) : std::vector<int>{};
@@ -231,8 +240,9 @@ void DistributedWorld::State::receive(std::span<const Received> letters) {
     copy(local) = {};
   }
   world_.remove(removed);
-  world_.move(moved, poses);
+  // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   world_.replace(replaced, replacements);
+  world_.move(moved, poses);
   const std::vector<BodyId> locals = world_.add(bodies);
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (locals[i].index >= copies_.size()) copies_.resize(locals[i].index + std::size_t{1});

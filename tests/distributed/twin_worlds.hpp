@@ -1,9 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -77,10 +80,14 @@ class TwinWorlds {
   void step() {
     const WorldStep& expected = world.step();
     const DistributedStep& found = distributed.step();
-    EXPECT_EQ(all_told(found.begin), told(expected.begin)) << "begin";
-    EXPECT_EQ(all_told(found.persist), told(expected.persist)) << "persist";
-    EXPECT_EQ(all_told(found.end), told(expected.end)) << "end";
-    EXPECT_EQ(gathered(distributed.bodies()).size(), world.size());
+    EXPECT_EQ(differences(all_told(found.begin), told(expected.begin)), "") << "begin";
+    EXPECT_EQ(differences(all_told(found.persist), told(expected.persist)), "") << "persist";
+    EXPECT_EQ(differences(all_told(found.end), told(expected.end)), "") << "end";
+    std::vector<GlobalId> live = gathered(distributed.bodies()), wanted;
+    std::sort(live.begin(), live.end());
+    for (const BodyId local : world.bodies()) wanted.push_back(ids_.at(local));
+    std::sort(wanted.begin(), wanted.end());
+    EXPECT_EQ(live, wanted) << "each body lives on one rank";
     compare_details(found.begin);
     compare_details(found.persist);
   }
@@ -104,6 +111,20 @@ class TwinWorlds {
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+  }
+
+  /// What one of two ascending lists has and the other has not.
+  static std::string differences(const std::vector<ToldPair>& found, const std::vector<ToldPair>& expected) {
+    std::string words;
+    const auto add = [&](const char* what, const std::vector<ToldPair>& one, const std::vector<ToldPair>& other) {
+      std::vector<ToldPair> more;
+      std::set_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(more));
+      for (const ToldPair& pair : more)
+        words += fmt::format("{} ({}, {}){}; ", what, pair.a, pair.b, pair.in_contact ? " in contact" : "");
+    };
+    add("invented", found, expected);
+    add("missing", expected, found);
+    return words;
   }
 
   static std::vector<ToldPair> all_told(const std::vector<GlobalPairReport>& reports) {

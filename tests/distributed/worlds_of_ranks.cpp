@@ -7,6 +7,7 @@
 #include "distributed/twin_worlds.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
+#include "toccata/world/world_queries.hpp"
 #include "world/random_bodies.hpp"
 
 namespace toccata::test {
