@@ -39,6 +39,7 @@ std::vector<int> DistributedWorld::State::ranks_reached_by(const Aabb& reached, 
 }
 
 void DistributedWorld::State::apply(const WantedChanges& changes, Letters& letters) {
+  removed_.clear();
   std::vector<BodyId> ids;
   std::vector<Pose> poses;
   for (const auto& [id, pose] : changes.moved) {
@@ -60,6 +61,7 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
     world_.remove(local);
     copy(local) = {};
     local_.erase(id);
+    removed_.insert(id);
   }
 }
 
@@ -213,6 +215,7 @@ void DistributedWorld::State::receive(std::span<const Received> letters) {
   std::vector<Pose> poses;
   std::vector<Body> bodies, replacements;
   std::vector<GlobalId> ids;
+  std::vector<GlobalBody> put;
   std::vector<std::pair<GlobalId, std::vector<int>>> new_homes;
   for (const Received& received : letters)
     for (MessageReader reader(received.bytes); !reader.is_at_end();) {
@@ -220,19 +223,15 @@ void DistributedWorld::State::receive(std::span<const Received> letters) {
       const auto id = reader.get<GlobalId>();
       const bool can_be_home = message == BodyMessage::put || message == BodyMessage::move;
       if (can_be_home && reader.get<bool>()) new_homes.emplace_back(id, reader.get_all<int>());
-      const auto known = local_.find(id);
-      if (message == BodyMessage::put && known == local_.end()) {
-        bodies.push_back(get_body(reader));
-        ids.push_back(id);
-      } else if (message == BodyMessage::put) {
-        replacements.push_back(get_body(reader));
-        replaced.push_back(known->second);
+      if (message == BodyMessage::put) {
+        put.push_back({id, get_body(reader)});
       } else if (message == BodyMessage::remove) {
-        removed.push_back(known->second);
+        removed.push_back(local_.at(id));
+        removed_.insert(id);
       } else {
-        moved.push_back(known->second);
+        moved.push_back(local_.at(id));
         poses.push_back(reader.get<Pose>());
-        if (message == BodyMessage::leave) leaving_.push_back(known->second);
+        if (message == BodyMessage::leave) leaving_.push_back(moved.back());
       }
     }
   for (const BodyId local : removed) {
@@ -240,6 +239,17 @@ void DistributedWorld::State::receive(std::span<const Received> letters) {
     copy(local) = {};
   }
   world_.remove(removed);
+  // Only now: another rank may have given the id of a removed body to a new one.
+  for (GlobalBody& one : put) {
+    const auto known = local_.find(one.id);
+    if (known == local_.end()) {
+      ids.push_back(one.id);
+      bodies.push_back(std::move(one.body));
+    } else {
+      replaced.push_back(known->second);
+      replacements.push_back(std::move(one.body));
+    }
+  }
   // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   world_.replace(replaced, replacements);
   world_.move(moved, poses);

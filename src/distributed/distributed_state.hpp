@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -136,6 +137,7 @@ class DistributedWorld::State {
   std::vector<Copy> copies_;
   std::unordered_map<GlobalId, BodyId> local_;
   std::unordered_map<GlobalId, int> registered_;  ///< on which ranks those ids were given
+  std::unordered_set<GlobalId> removed_;  ///< in this step, of bodies that were here: who has the id now is another
   std::vector<BodyId> leaving_;
   std::vector<GlobalPairReport> told_;
   DistributedStep last_;

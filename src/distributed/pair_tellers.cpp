@@ -67,15 +67,17 @@ void DistributedWorld::State::tell() {
   // here, as what goes elsewhere is given up only after this.
   Letters letters;
   std::vector<GlobalPairReport> ended;
-  for (const GlobalPairReport& before : told_) {
-    const auto at = std::lower_bound(found.begin(), found.end(), LocalPair{before}, is_of_lesser_ids);
-    if (at == found.end() || ids_of(at->report) != ids_of(before))
-      ended.push_back(before);
-    else if (at->teller != ranks_.rank())
-      letters[at->teller].put(std::array{before.a, before.b});
-  }
   std::vector<PairOfIds> before;
-  std::transform(told_.begin(), told_.end(), std::back_inserter(before), ids_of);
+  for (const GlobalPairReport& told : told_) {
+    const auto at = std::lower_bound(found.begin(), found.end(), LocalPair{told}, is_of_lesser_ids);
+    const bool is_found = at != found.end() && ids_of(at->report) == ids_of(told);
+    if (!is_found || removed_.contains(told.a) || removed_.contains(told.b))
+      ended.push_back(told);
+    else if (at->teller == ranks_.rank())
+      before.push_back(ids_of(told));
+    else
+      letters[at->teller].put(std::array{told.a, told.b});
+  }
   for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();) {
       const auto [a, b] = reader.get<std::array<GlobalId, 2>>();

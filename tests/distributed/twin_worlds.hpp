@@ -76,6 +76,18 @@ class TwinWorlds {
     if (distributed.lives_here(id)) distributed.remove({&id, 1});
   }
 
+  /// Removes it and gives its id to a new body, on a rank that need not be where it lives.
+  void remove_and_add(BodyId local, const Body& body) {
+    const GlobalId id = ids_.at(local);
+    remove(local);
+    const BodyId next = world.add(body);
+    ids_[next] = id;
+    locals_[id] = next;
+    const GlobalBody named{id, body};
+    if (static_cast<int>(id % static_cast<GlobalId>(distributed.rank_count())) == distributed.rank())
+      distributed.add({&named, 1});
+  }
+
   /// Both steps, compared.
   void step() {
     const WorldStep& expected = world.step();

@@ -113,6 +113,41 @@ TEST(WorldsOfRanks, StandNoBodyOneBodyAndAllInOnePlace) {
   twins.step();
 }
 
+std::vector<Body> row_of_spheres(int count) {
+  std::vector<Body> bodies;
+  for (int i = 0; i < count; ++i) bodies.push_back({Sphere(0.6), Pose::translation(i, 0, 0)});
+  return bodies;
+}
+
+/// A body that reached the bodies of all ranks, and in the next step only its neighbours: the ranks that it leaves have
+/// it once more in that step.
+TEST(WorldsOfRanks, TellNoPairsOfWhatABodyWas) {
+  TwinWorlds twins;
+  std::vector<Body> bodies = row_of_spheres(40);
+  bodies[20].margin = std::numeric_limits<double>::infinity();
+  twins.add(bodies);
+  twins.step();
+  EXPECT_EQ(twins.world.pairs().size(), 39U + 37);
+  bodies[20].margin = 0;
+  twins.replace(twins.world.bodies()[20], bodies[20]);
+  twins.step();
+  EXPECT_EQ(twins.world.last_step().end.size(), 37U);
+  twins.step();
+}
+
+/// Its pairs end, and those of the new body begin, where it is one that the other was in too.
+TEST(WorldsOfRanks, GiveTheIdOfARemovedBodyToAnotherInTheSameStep) {
+  TwinWorlds twins;
+  const std::vector<Body> bodies = row_of_spheres(40);
+  twins.add(bodies);
+  twins.step();
+  const std::vector<BodyId> ids = twins.world.bodies();
+  for (const std::size_t at : {0, 13, 19, 20, 39}) twins.remove_and_add(ids[at], {Sphere(0.7), bodies[at].pose});
+  twins.step();
+  EXPECT_EQ(twins.world.last_step().end.size(), twins.world.last_step().begin.size());
+  twins.step();
+}
+
 TEST(WorldsOfRanks, ShareTheWorkAndKeepFewGhosts) {
   Crowd crowd("uniform", 3000);
   std::vector<Body> bodies;
@@ -141,9 +176,7 @@ std::string message_of(const std::function<void()>& call) {
 /// What one rank does wrong all ranks are told, in the same words; and go on.
 TEST(WorldsOfRanks, TellAllRanksWhatOneDoesWrong) {
   TwinWorlds twins;
-  std::vector<Body> bodies;
-  for (int i = 0; i < 20; ++i) bodies.push_back({Sphere(0.6), Pose::translation(i, 0, 0)});
-  twins.add(bodies);
+  twins.add(row_of_spheres(20));
   twins.step();
   DistributedWorld& world = twins.distributed;
   const int last = world.rank_count() - 1;
