@@ -94,7 +94,8 @@ class DistributedWorld {
 
   /// For the next step. Any rank may give any body, wherever it is: it comes to live where it belongs.
   void add(std::span<const GlobalBody> bodies);
-  /// For the next step: bodies that live here. Of several poses for one body the last counts.
+  /// For the next step: bodies that live here. Of several poses for one body the last counts; one that is replaced too
+  /// has the pose that `replace` gives. The id of a body that is removed may be given to another in the same step.
   void move(std::span<const GlobalId> ids, std::span<const Pose> poses);
   void replace(std::span<const GlobalBody> bodies);
   void remove(std::span<const GlobalId> ids);
