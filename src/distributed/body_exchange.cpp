@@ -99,7 +99,7 @@ void DistributedWorld::State::divide(const WantedChanges& changes) {
     places.push_back(place_of(boxes.own));
     costs.push_back(cost_of_body);
   }
-  space_ = SpacePartition(ranks_, places, costs);
+  space_ = SpaceOfRanks(ranks_, places, costs);
   last_.costs.was_divided = true;
   last_.costs.imbalance = imbalance_left_ = imbalance_of(changes);
 }

@@ -11,7 +11,7 @@
 
 #include "distributed/model_bytes.hpp"
 #include "distributed/ranks.hpp"
-#include "distributed/space_partition.hpp"
+#include "distributed/space_of_ranks.hpp"
 #include "toccata/distributed/distributed_world.hpp"
 #include "toccata/world/world_queries.hpp"
 
@@ -133,7 +133,7 @@ class DistributedWorld::State {
   World world_;
   WorldQueries queries_;
   ModelStore models_;
-  SpacePartition space_;
+  SpaceOfRanks space_;
   std::vector<Copy> copies_;
   std::unordered_map<GlobalId, BodyId> local_;
   std::unordered_map<GlobalId, int> registered_;  ///< on which ranks those ids were given

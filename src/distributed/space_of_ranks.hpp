@@ -14,12 +14,12 @@ namespace toccata {
 /// side is divided again, and so on. What lies on a plane belongs to the side above, so every point is in one part. The
 /// same bits on all ranks. (M. J. Berger, S. H. Bokhari, "A partitioning strategy for nonuniform problems on
 /// multiprocessors", 1987.)
-class SpacePartition {
+class SpaceOfRanks {
  public:
   /// Into so many parts, of which the first has all.
-  explicit SpacePartition(int parts);
+  explicit SpaceOfRanks(int parts);
   /// Such that all parts have about as much of the costs. Collective; a place counts what it costs.
-  SpacePartition(Ranks& ranks, std::span<const Vec3> places, std::span<const std::uint64_t> costs);
+  SpaceOfRanks(Ranks& ranks, std::span<const Vec3> places, std::span<const std::uint64_t> costs);
 
   [[nodiscard]] int part_of(const Vec3& place) const;
 

@@ -1,4 +1,4 @@
-#include "distributed/space_partition.hpp"
+#include "distributed/space_of_ranks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 namespace toccata {
 
-SpacePartition::SpacePartition(int parts)
+SpaceOfRanks::SpaceOfRanks(int parts)
     : parts_(parts), planes_(static_cast<std::size_t>(parts - 1), Plane{0, infinity}) {}
 
-int SpacePartition::part_of(const Vec3& place) const {
+int SpaceOfRanks::part_of(const Vec3& place) const {
   int first = 0, end = parts_;
   std::size_t plane = 0;
   while (end - first > 1) {
@@ -24,7 +24,7 @@ int SpacePartition::part_of(const Vec3& place) const {
 
 /// Where the planes of all pieces of one level are to be, found together: so a partition takes as many messages as it
 /// has levels, whatever the number of ranks.
-struct SpacePartition::Bisection {
+struct SpaceOfRanks::Bisection {
   static constexpr int bins = 256, rounds = 4;
 
   Ranks& ranks;
@@ -125,8 +125,8 @@ struct SpacePartition::Bisection {
   }
 };
 
-SpacePartition::SpacePartition(Ranks& ranks, std::span<const Vec3> places, std::span<const std::uint64_t> costs)
-    : SpacePartition(ranks.count()) {
+SpaceOfRanks::SpaceOfRanks(Ranks& ranks, std::span<const Vec3> places, std::span<const std::uint64_t> costs)
+    : SpaceOfRanks(ranks.count()) {
   std::vector<Piece> pieces{{0, parts_, 0}};
   std::vector<std::size_t> piece_of_part(static_cast<std::size_t>(parts_), 0), piece_of(places.size(), 0);
   while (std::any_of(pieces.begin(), pieces.end(), is_open)) {
@@ -139,7 +139,7 @@ SpacePartition::SpacePartition(Ranks& ranks, std::span<const Vec3> places, std::
   }
 }
 
-std::vector<SpacePartition::Piece> SpacePartition::halves(std::span<const Piece> pieces) {
+std::vector<SpaceOfRanks::Piece> SpaceOfRanks::halves(std::span<const Piece> pieces) {
   std::vector<Piece> next;
   for (const Piece& piece : pieces) {
     if (!is_open(piece)) {
