@@ -3286,7 +3286,7 @@ class RobotScene:
 
     def looks_at(self, link: int, other: int, with_obstacle: bool = False) -> bool:
         """
-        Whether these two, told by their numbers, are looked at; of two links the lesser number is the first.
+        Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle.
         """
 
     def __repr__(self) -> str: ...
