@@ -7,6 +7,7 @@
 #include <limits>
 #include <new>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -131,33 +132,25 @@ class LentToMpi {
 
 }  // namespace
 
-void Ranks::add_up(std::span<std::uint64_t> numbers) {
+template <class Number>
+void Ranks::reduce(std::span<Number> numbers) {
   require_usable();
   if (count_ == 1 || numbers.empty()) return;
-  LentToMpi lent(std::vector<std::uint64_t>(numbers.begin(), numbers.end()));
+  LentToMpi lent(std::vector<Number>(numbers.begin(), numbers.end()));
   MPI_Request request = MPI_REQUEST_NULL;
   int code = MPI_SUCCESS;
-  check(MPI_Iallreduce(MPI_IN_PLACE, lent->data(), static_cast<int>(lent->size()), MPI_UINT64_T, MPI_SUM,
-                       handle_->communicator, &request),
+  constexpr bool is_sum = std::is_same_v<Number, std::uint64_t>;
+  check(MPI_Iallreduce(MPI_IN_PLACE, lent->data(), static_cast<int>(lent->size()), is_sum ? MPI_UINT64_T : MPI_DOUBLE,
+                       is_sum ? MPI_SUM : MPI_MIN, handle_->communicator, &request),
         "MPI_Iallreduce");
   lent.during([&] { wait([&] { return is_complete(request, code); }); });
   check(code, "MPI_Iallreduce");
   std::copy(lent->begin(), lent->end(), numbers.begin());
 }
 
-void Ranks::find_least(std::span<double> numbers) {
-  require_usable();
-  if (count_ == 1 || numbers.empty()) return;
-  LentToMpi lent(std::vector<double>(numbers.begin(), numbers.end()));
-  MPI_Request request = MPI_REQUEST_NULL;
-  int code = MPI_SUCCESS;
-  check(MPI_Iallreduce(MPI_IN_PLACE, lent->data(), static_cast<int>(lent->size()), MPI_DOUBLE, MPI_MIN,
-                       handle_->communicator, &request),
-        "MPI_Iallreduce");
-  lent.during([&] { wait([&] { return is_complete(request, code); }); });
-  check(code, "MPI_Iallreduce");
-  std::copy(lent->begin(), lent->end(), numbers.begin());
-}
+void Ranks::add_up(std::span<std::uint64_t> numbers) { reduce(numbers); }
+
+void Ranks::find_least(std::span<double> numbers) { reduce(numbers); }
 
 std::vector<Bytes> Ranks::of_all(const Bytes& own) {
   std::map<int, MessageWriter> messages;

@@ -62,6 +62,9 @@ class Ranks {
   void check(int code, const char* call);
   /// Calls `is_done` until it is.
   void wait(FunctionRef<bool()> is_done);
+  /// Whole numbers are added up, of others the least is found.
+  template <class Number>
+  void reduce(std::span<Number> numbers);
   void send_and_receive(Sending& sending, std::vector<Received>& received);
   void receive_what_is_there(int tag, std::vector<Received>& received);
 
