@@ -25,8 +25,11 @@ double bell(Random& random) {
 /// About 10^-x, for x up to 3: straight between eighths, so that it is the same on every platform.
 double decades_down(double x) {
   constexpr double eighth = 0.7498942093324559;  // 10^(-1/8)
-  double power = 1;
-  for (double rest = 8 * x; rest > 0; rest -= 1) power *= 1 - std::min(rest, 1.0) * (1 - eighth);
+  double power = 1, rest = 8 * x;
+  while (rest > 0) {
+    power *= 1 - std::min(rest, 1.0) * (1 - eighth);
+    rest -= 1;
+  }
   return power;
 }
 
@@ -106,8 +109,9 @@ Crowd::Crowd(std::string_view scene, std::size_t count, std::uint64_t seed) {
 
 /// In layers of one height, so that of each layer all ends lie within the way that a box trembles.
 void Crowd::put_into_pile(Body& body, Index number, Index per_side) {
-  const Vec3 place{static_cast<double>(number % per_side), static_cast<double>(number / per_side % per_side),
-                   static_cast<double>(number / per_side / per_side)};
+  const Index row = number / per_side, layer = row / per_side;
+  const Vec3 place{static_cast<double>(number % per_side), static_cast<double>(row % per_side),
+                   static_cast<double>(layer)};
   const Vec3 reach{0.02, 0.02, 0.02}, size_before = body.half;
   body.half = {0.5, 0.5, 0.5};
   body.least = place - reach;

@@ -34,7 +34,7 @@ TriangleMesh long_ball(const ArmPiece& piece, int subdivisions, std::uint64_t se
 }
 
 Shape room_mesh(std::size_t which) {
-  const auto of = [](TriangleMesh mesh, double factor) -> Shape {
+  const auto of = [](const TriangleMesh& mesh, double factor) -> Shape {
     return std::make_shared<const TriangleMesh>(scaled_mesh(mesh, factor));
   };
   if (which == 0) return of(torus_knot_mesh({}), 0.12);

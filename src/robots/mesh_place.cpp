@@ -81,7 +81,7 @@ fs::path mesh_place(const std::string& name, const fs::path& urdf_folder,
   const bool is_file = name.starts_with("file://");
   if (!is_file && name.find("://") != std::string::npos)
     throw Error(fmt::format("'{}' is neither a file nor in a package; meshes are read from disk alone", name));
-  const fs::path place = is_file ? fs::path(after("file://")) : urdf_folder / name;
+  fs::path place = is_file ? fs::path(after("file://")) : urdf_folder / name;
   if (!is_there(place)) throw Error(fmt::format("there is no file '{}'", place.string()));
   return place;
 }

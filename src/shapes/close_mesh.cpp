@@ -81,9 +81,9 @@ class PointGrid {
     const Cell middle = cell_of(place);
     Index best = no_vertex;
     double best_squared = distance_ * distance_;
-    for (double dx = -1; dx <= 1; ++dx)
-      for (double dy = -1; dy <= 1; ++dy)
-        for (double dz = -1; dz <= 1; ++dz) {
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz) {
           const auto found = cells_.find({middle[0] + dx, middle[1] + dy, middle[2] + dz});
           if (found == cells_.end()) continue;
           for (const Index point : found->second) {
@@ -272,8 +272,11 @@ std::optional<double> closing_gap(const TriangleMesh& mesh) {
   const double diagonal = diagonal_of(mesh);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) return std::nullopt;
   constexpr double least = 1e-9, greatest = 0.02;
-  for (double part = least; part <= greatest; part *= 2)
+  double part = least;
+  while (part <= greatest) {
     if (close_mesh(mesh, part * diagonal).closed) return part * diagonal;
+    part *= 2;
+  }
   return std::nullopt;
 }
 

@@ -34,7 +34,7 @@ std::vector<double> times_in(const TimeStretch& stretch, const std::vector<Movin
   double moments = 1;
   for (const MovingPart& part : parts) moments = std::max(moments, moments_in(part.motion(stretch), duration));
   std::vector<double> times{stretch.begin};
-  for (double i = 1; i < moments; ++i) times.push_back(std::min(stretch.begin + duration * (i / moments), stretch.end));
+  for (int i = 1; i < moments; ++i) times.push_back(std::min(stretch.begin + duration * (i / moments), stretch.end));
   times.push_back(stretch.end);
   return times;
 }

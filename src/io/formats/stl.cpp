@@ -2,7 +2,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +43,10 @@ class FacetMesh {
 
  private:
   /// −0 stays −0.
-  static bool same_bits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+  static bool same_bits(const Vec3& a, const Vec3& b) {
+    using Bits = std::array<std::uint64_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+  }
 
   PointNumbers numbers_;
   std::vector<Vec3> vertices_;

@@ -10,7 +10,7 @@ namespace {
 /// A first byte of a character, how many bytes follow, and the range of the first of those (RFC 3629, section 4).
 struct Lead {
   unsigned char first, last;
-  std::size_t followers;
+  unsigned char followers;
   unsigned char second_first, second_last;
 };
 

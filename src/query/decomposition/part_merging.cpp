@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "math/constants.hpp"
+#include "math/cube_directions.hpp"
 #include "query/decomposition/solid_piece.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/parallel.hpp"
@@ -35,8 +36,7 @@ std::vector<Vec3> joined_corners(std::vector<Vec3> a, const std::vector<Vec3>& b
 /// Those of the corners that are farthest along some directions: their hull is most of the part's, and quickly made.
 std::vector<Vec3> outline_of(const std::vector<Vec3>& corners) {
   std::vector<Vec3> outline;
-  for (int direction = 0; direction < 27; ++direction) {
-    const Vec3 along{direction % 3 - 1.0, direction / 3 % 3 - 1.0, direction / 9 - 1.0};
+  for (const Vec3& along : cube_directions) {
     const auto height = [&](const Vec3& p) { return dot(along, p); };
     outline.push_back(*std::ranges::max_element(corners, {}, height));
   }

@@ -104,9 +104,7 @@ void LevelTriangles::add_leaf(std::size_t level, Index face) {
 }
 
 LeafMesh leaf_mesh(const AdaptiveLevels& levels) {
-  LevelTriangles leaves(levels);
-  std::vector<Vec3> points = std::move(leaves).points();
-  std::vector<LimitTriangle> triangles = std::move(leaves).triangles();
+  auto [points, triangles] = LevelTriangles(levels).taken();
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const LimitTriangle& a, const LimitTriangle& b) { return a.cage_face < b.cage_face; });
   std::vector<std::array<Index, 3>> corners;

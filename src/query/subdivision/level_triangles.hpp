@@ -20,8 +20,10 @@ class LevelTriangles {
  public:
   explicit LevelTriangles(const AdaptiveLevels& levels);
 
-  [[nodiscard]] std::vector<Vec3> points() && { return std::move(points_); }
-  [[nodiscard]] std::vector<LimitTriangle> triangles() && { return std::move(triangles_); }
+  /// Corners of the triangles, and these.
+  [[nodiscard]] std::pair<std::vector<Vec3>, std::vector<LimitTriangle>> taken() && {
+    return {std::move(points_), std::move(triangles_)};
+  }
 
  private:
   /// A vertex of the border of a leaf, and where the leaf alone would have it.

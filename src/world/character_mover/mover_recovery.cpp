@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/cube_directions.hpp"
 #include "query/ask.hpp"
 #include "toccata/query/penetration.hpp"
 #include "world/character_mover/mover_walk.hpp"
@@ -64,11 +65,13 @@ bool MoverWalk::is_free(const Vec3& position) {
 std::optional<Vec3> MoverWalk::nearer_place(const Vec3& position, double distance) {
   double shorter = distance;
   while (shorter > least_part_of_size * around_.body().size()) shorter /= 2;
-  for (; shorter < distance; shorter *= 2)
-    for (int code = 0; code < 27; ++code) {
-      const Vec3 way = normalized(Vec3{code % 3 - 1.0, code / 3 % 3 - 1.0, code / 9 - 1.0});
+  while (shorter < distance) {
+    for (const Vec3& direction : cube_directions) {
+      const Vec3 way = normalized(direction);
       if (way != Vec3{} && is_free(position + shorter * way)) return position + shorter * way;
     }
+    shorter *= 2;
+  }
   return {};
 }
 
