@@ -52,7 +52,7 @@ bool SweptThing::is_item(std::uint32_t at) const {
 
 Index SweptThing::item(std::uint32_t at) const {
   if (tree == nullptr) return 0;
-  return tree->items[static_cast<std::size_t>(~tree->blocks[at >> 3].child[at & 7U])];
+  return tree->items[tree->blocks[at >> 3].item_place(at & 7U)];
 }
 
 std::uint32_t SweptThing::block_below(std::uint32_t at) const {

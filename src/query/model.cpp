@@ -52,7 +52,7 @@ struct Model::Parts {
         wide_bvh(std::move(given_tree)),
         vertex_box(fit_aabb(mesh->vertices())) {}
 
-  Parts(Shape given, std::shared_ptr<const TriangleMesh> given_mesh, int threads)
+  Parts(Shape given, const std::shared_ptr<const TriangleMesh>& given_mesh, int threads)
       : Parts(std::move(given), given_mesh, build_wide_bvh(*given_mesh, {.threads = threads})) {}
 
   Parts(Compound given, int threads) : shape(given) {

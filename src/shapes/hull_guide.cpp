@@ -9,7 +9,10 @@ namespace {
 constexpr Index least_guided_vertices = 512;
 
 /// The six sides of the cube have as many rows of as many cells each.
-Index rows_of(std::size_t size) { return static_cast<Index>(std::sqrt(static_cast<double>(size / 6)) + 0.5); }
+Index rows_of(std::size_t size) {
+  const std::size_t cells = size / 6;
+  return static_cast<Index>(std::lround(std::sqrt(static_cast<double>(cells))));
+}
 
 /// From −1 to 1.
 double middle_of(Index row, Index rows) { return (2.0 * row + 1) / rows - 1; }

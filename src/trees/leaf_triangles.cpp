@@ -37,7 +37,7 @@ LeafTriangles leaf_triangles(const WideBvh& tree, const TriangleMesh& mesh) {
     const WideBlock& block = tree.blocks[number];
     for (std::size_t lane = 0; lane < block.count; ++lane) {
       if (!block.is_item(lane)) continue;
-      const Index triangle = tree.items[static_cast<std::size_t>(~block.child[lane])];
+      const Index triangle = tree.items[block.item_place(lane)];
       const auto& corner = mesh.triangles()[triangle];
       const auto vertices = mesh.vertices();
       set_lane(all.of_block[number], lane,

@@ -202,7 +202,7 @@ class Maker {
 
   Run run_of(const WideBlock& block, std::size_t lane) const {
     if (!block.is_item(lane)) return runs_[static_cast<std::size_t>(block.child[lane])];
-    const auto place = static_cast<std::size_t>(~block.child[lane]);
+    const auto place = block.item_place(lane);
     return {place, place + 1, moments_of(corners_[place])};
   }
 

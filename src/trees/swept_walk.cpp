@@ -59,7 +59,7 @@ bool SweptWalk::is_item(std::size_t side, std::uint32_t at) const {
 
 Index SweptWalk::item(std::size_t side, std::uint32_t at) const {
   if (at == whole) return 0;
-  return trees_[side]->items[static_cast<std::uint32_t>(~trees_[side]->blocks[at / lanes].child[at % lanes])];
+  return trees_[side]->items[trees_[side]->blocks[at / lanes].item_place(at % lanes)];
 }
 
 std::uint32_t SweptWalk::block_below(std::size_t side, std::uint32_t at) const {

@@ -135,7 +135,7 @@ class WideChecker {
   /// Takes note that a child block has a parent.
   bool has_valid_child(std::size_t number, std::size_t lane) {
     const WideBlock& block = tree_.blocks[number];
-    if (block.is_item(lane)) return static_cast<std::size_t>(~block.child[lane]) < item_count_;
+    if (block.is_item(lane)) return block.item_place(lane) < item_count_;
     const auto child = static_cast<std::size_t>(block.child[lane]);
     if (child <= number || child >= tree_.blocks.size() || has_parent_[child]) return false;
     has_parent_[child] = true;
@@ -144,7 +144,7 @@ class WideChecker {
 
   Below below_lane(const WideBlock& block, std::size_t lane) const {
     if (!block.is_item(lane)) return below_[static_cast<std::size_t>(block.child[lane])];
-    const auto place = static_cast<std::size_t>(~block.child[lane]);
+    const auto place = block.item_place(lane);
     const Aabb box = box_(tree_.items[place]);
     Below item;
     for (int axis = 0; axis < 3; ++axis) {

@@ -140,7 +140,7 @@ class RaySearch {
   void see_boxes(const WideBlock& block, unsigned items, const LaneFloats& when) {
     for (unsigned left = items; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      found_.add({when[lane], tree_->items[static_cast<std::size_t>(~block.child[lane])], false});
+      found_.add({when[lane], tree_->items[block.item_place(lane)], false});
     }
     found_.show(false);
   }

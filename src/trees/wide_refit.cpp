@@ -113,7 +113,7 @@ struct ItemTriangles {
   const Float4* point;
 
   [[nodiscard]] const std::array<Index, 3>& corners(const WideBlock& block, std::size_t lane) const {
-    return triangles[items[static_cast<std::size_t>(~block.child[lane])]];
+    return triangles[items[block.item_place(lane)]];
   }
   [[nodiscard]] FloatBox box(const WideBlock& block, std::size_t lane) const {
     const std::array<Index, 3>& corner = corners(block, lane);

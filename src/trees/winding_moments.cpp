@@ -124,10 +124,9 @@ std::vector<WindingMoments> winding_moments(const WideBvh& tree, const TriangleM
     const WideBlock& block = tree.blocks[number];
     std::array<WindingMoments, WideBlock::width> lanes;
     for (std::size_t lane = 0; lane < block.count; ++lane)
-      lanes[lane] =
-          block.is_item(lane)
-              ? moments_of_triangle(corners_of(tree, mesh, tree.items[static_cast<std::size_t>(~block.child[lane])]))
-              : all[static_cast<std::size_t>(block.child[lane])];
+      lanes[lane] = block.is_item(lane)
+                        ? moments_of_triangle(corners_of(tree, mesh, tree.items[block.item_place(lane)]))
+                        : all[static_cast<std::size_t>(block.child[lane])];
     const std::span<const WindingMoments> parts(lanes.data(), block.count);
     all[number].centre = common_centre(parts);
     for (const WindingMoments& part : parts) add(all[number], part);

@@ -28,6 +28,8 @@ struct alignas(64) WideBlock {
       count;  ///< children; they have the first lanes. The boxes of other lanes are at 0 and their children 0.
 
   [[nodiscard]] bool is_item(std::size_t lane) const { return child[lane] < 0; }
+  /// Where in the tree's item order the item of that lane is.
+  [[nodiscard]] std::uint32_t item_place(std::size_t lane) const { return static_cast<std::uint32_t>(~child[lane]); }
 };
 
 /// A hierarchy of boxes with eight children a node, and single items as leaves. Coordinates are x = origin + unit · q

@@ -39,8 +39,8 @@ struct MspNode {
   BspPlane plane = 0;
   std::array<MspChild, 3> child{};  ///< behind the plane, within it, in front of it
 
-  [[nodiscard]] MspChild& beside(Sign side) { return child[static_cast<std::size_t>(static_cast<int>(side) + 1)]; }
-  [[nodiscard]] MspChild beside(Sign side) const { return child[static_cast<std::size_t>(static_cast<int>(side) + 1)]; }
+  [[nodiscard]] MspChild& beside(Sign side) { return child[1U + static_cast<std::size_t>(side)]; }
+  [[nodiscard]] MspChild beside(Sign side) const { return child[1U + static_cast<std::size_t>(side)]; }
 };
 
 struct MspTree::Parts {

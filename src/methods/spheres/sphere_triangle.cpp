@@ -83,7 +83,7 @@ Vector<Number> by_plane_projection(const Corners<Number>& t) {
   const Vector<Number> normal = t.normal(), u = t.edge(0), w = cross(normal, u);
   const Number normal_squared = dot(normal, normal), uu = dot(u, u), ww = dot(w, w);
   if (!(normal_squared > 0 && ww > 0)) return nearest_of_edges(t);
-  const Vector<Number> foot = Number(dot(normal, t.v[0]) / normal_squared) * normal;
+  Vector<Number> foot = Number(dot(normal, t.v[0]) / normal_squared) * normal;
   const auto flat = [&](const Vector<Number>& p) {
     return InPlane<Number>{dot(p - foot, u) / uu, dot(p - foot, w) / ww};
   };

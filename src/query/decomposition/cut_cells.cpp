@@ -44,7 +44,8 @@ class CellDivider {
     return polygon;
   }
 
-  void descend(Index node, std::vector<Index> whole, std::vector<ExactPolygon> cut, std::vector<CellSide> cell) {
+  void descend(Index node, const std::vector<Index>& whole, std::vector<ExactPolygon> cut,
+               const std::vector<CellSide>& cell) {
     const CutNode& at = tree_.nodes[node];
     if (!at.plane) return fill(node, whole, cut, cell);
     const CutPlane& plane = tree_.planes[*at.plane];
@@ -70,7 +71,7 @@ class CellDivider {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       std::vector<CellSide> smaller = cell;
       smaller.push_back({*at.plane, side == 0 ? 1 : -1});
-      descend(at.child[side], std::move(whole_of[side]), std::move(cut_of[side]), std::move(smaller));
+      descend(at.child[side], whole_of[side], std::move(cut_of[side]), smaller);
     }
   }
 

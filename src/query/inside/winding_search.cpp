@@ -102,7 +102,7 @@ void WindingSearch::open(std::size_t block, Seen& seen) const {
   const WideBlock& lanes = tree_.blocks[block];
   for (std::size_t lane = 0; lane < lanes.count; ++lane) {
     if (lanes.is_item(lane)) {
-      const Index item = tree_.items[static_cast<std::size_t>(~lanes.child[lane])];
+      const Index item = tree_.items[lanes.item_place(lane)];
       const SolidAngle angle = solid_angle(seen.point, mesh_.triangle(item));
       seen.near.add(angle.value, angle.bound);
       continue;

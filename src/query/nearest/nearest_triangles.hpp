@@ -74,7 +74,7 @@ class WorldTriangles {
 class PairDistances {
  public:
   PairDistances(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
-      : block_(scratch.main.blocks[0]), a_(a), b_(b) {}
+      : a_(a), b_(b), block_(scratch.main.blocks[0]) {}
 
   /// Calls `see(candidate)` for all of the pairs, in their order, until it returns false.
   template <class See>
@@ -131,10 +131,10 @@ class PairDistances {
   [[nodiscard]] Ends precise_ends(const NearCandidate& candidate) const;
   void bound_block(std::span<const ItemPair> pairs);
 
-  TriangleGaps gaps_{};
-  TrianglePairBlock& block_;
   WorldTriangles a_;
   WorldTriangles b_;
+  TrianglePairBlock& block_;
+  TriangleGaps gaps_{};
   std::array<bool, TrianglePairBlock::lanes> swapped_{};  ///< the block's first triangle is of b
 };
 

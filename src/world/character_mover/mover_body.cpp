@@ -65,12 +65,12 @@ ElementSet::ElementSet(LevelSet set)
 
 MoverBody::MoverBody(const Model& shape, const Pose& pose)
     : model_(require_mover(shape)),
-      radius_(mover_core(shape.shape()).radius),
       pose_(pose),
+      radius_(mover_core(shape.shape()).radius),
       core_shape_(mover_core(shape.shape()).shape),
       whole_(posed_set(shape.shape(), pose)),
-      core_(posed_set(core_shape_, pose)) {
-  box_ = std::visit([](const auto& set) { return world_box(set); }, whole_);
+      core_(posed_set(core_shape_, pose)),
+      box_(std::visit([](const auto& set) { return world_box(set); }, whole_)) {
   const Vec3 sides = box_.upper - box_.lower;
   size_ = std::max({sides.x, sides.y, sides.z});
   const auto* polytope = std::get_if<PosedPolytope>(&core_);

@@ -108,13 +108,13 @@ class MoverBody {
   [[nodiscard]] Set at(const Set& set, const Vec3& position) const;
 
   const Model& model_;
-  double radius_ = 0;  ///< by which the core is grown
-  double size_ = 0;
   Pose pose_;
-  Vec3 point_;        ///< from the position
-  Aabb box_;          ///< where the pose has it, as the sets below
-  Shape core_shape_;  ///< what `core_` refers to
-  Set whole_, core_;
+  double radius_ = 0;  ///< by which the core is grown
+  Shape core_shape_;   ///< what `core_` refers to
+  Set whole_, core_;   ///< where the pose has it
+  Aabb box_;           ///< there
+  Vec3 point_;         ///< from the position
+  double size_ = 0;
 };
 
 }  // namespace toccata
