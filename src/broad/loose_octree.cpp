@@ -84,7 +84,7 @@ class LooseOctree final : public PairFinder {
     return {cell_of(middle.x, level), cell_of(middle.y, level), cell_of(middle.z, level)};
   }
   static std::uint64_t key_of(const CellPlace& place, int level) {
-    return key_of_cell(place, static_cast<std::uint64_t>(level + 1));
+    return key_of_cell(place, static_cast<std::uint64_t>(level) + 1);
   }
 
   void place_all(std::span<const Aabb> boxes) {

@@ -180,7 +180,8 @@ void BodyCrowd::add_stacks(std::size_t count, Random& random) {
   const std::size_t stacks = count / 10;
   const auto per_row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(stacks + 1))));
   for (std::size_t stack = 0; stack < stacks; ++stack) {
-    const Vec3 foot{3.5 * static_cast<double>(stack % per_row), 3.5 * static_cast<double>(stack / per_row), 0};
+    const std::size_t row = stack / per_row;
+    const Vec3 foot{3.5 * static_cast<double>(stack % per_row), 3.5 * static_cast<double>(row), 0};
     double top = 0;
     for (std::size_t i = 0; i < high; ++i) {
       const Vec3 half = vector_between(random, 0.3, 0.6);

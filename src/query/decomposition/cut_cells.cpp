@@ -31,7 +31,7 @@ class CellDivider {
     const TriangleMesh& mesh = solid_.mesh();
     std::vector<Index> all(mesh.triangle_count());
     for (Index t = 0; t < all.size(); ++t) all[t] = t;
-    descend(0, std::move(all), {}, {});
+    descend(0, all, {}, {});
     cover_flat_pieces();
     return std::move(contents_);
   }
