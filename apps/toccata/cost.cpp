@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "arguments.hpp"
@@ -37,7 +38,7 @@ std::vector<PairQuery> queries_of(const CheckInput& input, const CostArguments& 
 }
 
 std::string plain_number(double number) {
-  return number < 100 ? fmt::format("{:.3g}", number) : grouped(static_cast<std::size_t>(number + 0.5));
+  return number < 100 ? fmt::format("{:.3g}", number) : grouped(static_cast<std::size_t>(std::llround(number)));
 }
 
 /// Counts of one query.

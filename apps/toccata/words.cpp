@@ -47,7 +47,7 @@ std::string depth_text(double lower, double upper) {
 }
 
 std::string depth_text(const Penetration& penetration, DepthEnd end) {
-  const std::string text = depth_text(penetration);
+  std::string text = depth_text(penetration);
   switch (end) {
     case DepthEnd::precise:
       break;

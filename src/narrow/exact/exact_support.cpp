@@ -40,7 +40,7 @@ std::vector<Index> candidates(const PosedPolytope& shape, const Vec3& direction)
 }  // namespace
 
 std::vector<Index> least_vertices(const PosedPolytope& shape, const IntegerVector& direction) {
-  const std::vector<Index> close = candidates(shape, rounded_direction(direction));
+  std::vector<Index> close = candidates(shape, rounded_direction(direction));
   if (close.size() == 1) return close;
   std::vector<Vec3> vertices;
   for (const Index i : close) vertices.push_back(shape.vertex(i));

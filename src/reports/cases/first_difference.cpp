@@ -72,7 +72,7 @@ std::string difference_of_objects(const json& recorded, const json& now, const s
     if (is_top && (key == "version" || key == "warnings" || key == "asked")) continue;
     if (is_measured(key)) continue;
     const json *before = member(recorded, key), *after = member(now, key);
-    const std::string here = place + "/" + key;
+    const std::string here = fmt::format("{}/{}", place, key);
     if (before == nullptr || after == nullptr) return told(here, before, after);
     if (std::string found = difference(*before, *after, here, false); !found.empty()) return found;
   }

@@ -76,7 +76,7 @@ void GlbFindings::add_node(const std::string& name, std::span<const Shown> shown
     if (!part.points.empty()) parts.push_back(glb_.part(joined_part(part.points, frame), part.mode, part.paint));
   Json more = {{"extras", std::move(extras)}};
   if (!parts.empty()) more["mesh"] = glb_.add_mesh(name, std::move(parts));
-  nodes_.push_back(glb_.add_node(name, {}, frame, std::move(more)));
+  nodes_.push_back(glb_.add_node(name, {}, frame, more));
 }
 
 void add_findings(GlbScene& glb, const SceneAnswer& answer) {

@@ -83,11 +83,11 @@ std::size_t GlbScene::add_mesh(const std::string& name, Json parts) {
   return writer_.add_mesh({{"name", name}, {"primitives", std::move(parts)}});
 }
 
-std::size_t GlbScene::add_node(const std::string& name, const Pose& pose, const GlbFrame& own, Json more) {
-  return node_at(name, pose_between(frame_, pose, own), std::move(more));
+std::size_t GlbScene::add_node(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more) {
+  return node_at(name, pose_between(frame_, pose, own), more);
 }
 
-std::size_t GlbScene::node_at(const std::string& name, const Pose& pose, Json more) {
+std::size_t GlbScene::node_at(const std::string& name, const Pose& pose, const Json& more) {
   Json node = {{"name", name}};
   if (!(pose == Pose{})) node["matrix"] = matrix_of(pose);
   node.update(more);
@@ -102,8 +102,8 @@ void GlbScene::add_group(const std::string& name, const std::vector<std::size_t>
   if (!children.empty()) groups_.push_back(add_parent(name, children));
 }
 
-std::size_t GlbScene::add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, Json more) {
-  return node_at(name, pose_between({}, pose, own), std::move(more));
+std::size_t GlbScene::add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more) {
+  return node_at(name, pose_between({}, pose, own), more);
 }
 
 void GlbScene::animate(std::size_t node, const char* path, const std::vector<float>& times, std::span<const float> keys,
@@ -149,7 +149,7 @@ std::size_t GlbScene::add_moving(const std::string& name, std::size_t child, std
 }
 
 std::size_t GlbScene::add_at_pose(const std::string& name, const std::vector<std::size_t>& children, std::size_t pose,
-                                  std::size_t poses, Json more) {
+                                  std::size_t poses, const Json& more) {
   Json node = {{"name", name}, {"children", children}};
   node.update(more);
   const std::size_t number = writer_.add_node(std::move(node));

@@ -63,26 +63,26 @@ class GlbScene {
   [[nodiscard]] Json painted(Json part, const GlbPaint& paint);
   std::size_t add_mesh(const std::string& name, Json parts);
   /// A node at `pose`, of what is counted in `own`; `more` are its other members.
-  std::size_t add_node(const std::string& name, const Pose& pose, const GlbFrame& own, Json more);
+  std::size_t add_node(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more);
   std::size_t add_parent(const std::string& name, const std::vector<std::size_t>& children);
   void add_group(const std::string& name, const std::vector<std::size_t>& children);
 
   // Answers about many poses: one a frame of 24 a second, all in one animation.
 
   /// A node of an object that moves, under the one that moves it: as `add_node`, but in the object's own frame.
-  std::size_t add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, Json more);
+  std::size_t add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more);
   /// What moves `child`: the keys' frames ascend from 0, and some key has a pose. Throws Error naming the first pose
   /// that no node can have.
   std::size_t add_moving(const std::string& name, std::size_t child, std::span<const GlbKey> keys);
   /// What is seen at one of so many poses alone.
   std::size_t add_at_pose(const std::string& name, const std::vector<std::size_t>& children, std::size_t pose,
-                          std::size_t poses, Json more);
+                          std::size_t poses, const Json& more);
 
   /// To be asked for once.
   [[nodiscard]] std::string file(const ViewOptions& options, const std::string& unit);
 
  private:
-  std::size_t node_at(const std::string& name, const Pose& pose, Json more);
+  std::size_t node_at(const std::string& name, const Pose& pose, const Json& more);
   [[nodiscard]] GlbTurn turn_at(const std::string& name, const GlbKey& key) const;
   /// `keys` of a node's translation, rotation or scale, each held until the next.
   void animate(std::size_t node, const char* path, const std::vector<float>& times, std::span<const float> keys,

@@ -58,7 +58,7 @@ void PlotAxis::make_logarithmic(double least, double greatest) {
   lower_ = std::max(std::floor(std::log10(least) - 0.3), -307.0);
   upper_ = std::min(std::max(std::ceil(std::log10(greatest)), lower_ + 1), 308.0);
   const double step = std::ceil((upper_ - lower_) / most_ticks);
-  for (double power = lower_; power <= upper_; power += step) ticks_.push_back(std::pow(10, power));
+  for (int i = 0; lower_ + i * step <= upper_; ++i) ticks_.push_back(std::pow(10, lower_ + i * step));
 }
 
 void PlotAxis::make_linear(double least, double greatest) {
@@ -72,8 +72,8 @@ void PlotAxis::make_linear(double least, double greatest) {
   const double first = std::floor(least / step), last = std::ceil(greatest / step);
   lower_ = std::max(first * step, std::numeric_limits<double>::lowest());
   upper_ = std::min(last * step, std::numeric_limits<double>::max());
-  for (double i = first; i <= last; ++i)
-    if (std::isfinite(i * step)) ticks_.push_back(i == 0 ? 0 : i * step);
+  for (int i = 0; first + i <= last; ++i)
+    if (const double tick = (first + i) * step; std::isfinite(tick)) ticks_.push_back(tick == 0 ? 0 : tick);
 }
 
 double PlotAxis::place_of(double value) const {

@@ -51,7 +51,7 @@ double text_width(std::string_view text, double size) {
 }
 
 std::string fitting(const std::string& text, double size, double width) {
-  const std::string whole = as_utf8(text);
+  std::string whole = as_utf8(text);
   if (text_width(whole, size) <= width) return whole;
   const std::string dots = "…";
   double used = text_width(dots, size);

@@ -44,7 +44,7 @@ std::string told(const JsonValue& object) {
   std::string text;
   for (const std::string& key : object.keys())
     if (const std::string value = number_text(object.at(key)); !value.empty())
-      text += (text.empty() ? "" : ", ") + key + " " + value;
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
   return text;
 }
 
@@ -151,7 +151,8 @@ bool is_about_threads(const std::vector<JsonValue>& results) {
   });
 }
 
-std::string threads_svg(const std::vector<JsonValue>& results, const Field& field, BarPlot head, const TimeUnit& unit) {
+std::string threads_svg(const std::vector<JsonValue>& results, const Field& field, const BarPlot& head,
+                        const TimeUnit& unit) {
   LinePlot plot{head.title, head.subtitle, "threads", head.quantity, {}};
   for (const JsonValue& row : results) {
     auto line = std::find_if(plot.lines.begin(), plot.lines.end(),
@@ -173,7 +174,7 @@ std::string bench_svg(const JsonValue& report) {
                {},
                {},
                {}};
-  if (is_about_threads(results)) return threads_svg(results, (*fields)[0], std::move(plot), unit);
+  if (is_about_threads(results)) return threads_svg(results, (*fields)[0], plot, unit);
   for (const Field& field : *fields) plot.series.push_back({field.name, {}});
   for (const JsonValue& row : results) {
     plot.rows.push_back(who_of(row) + (threads_of(row) > 1 ? fmt::format(", {} threads", threads_of(row)) : ""));

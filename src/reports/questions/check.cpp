@@ -230,7 +230,7 @@ std::string csv_of_faces(const Scene& scene, const CheckReport& report) {
     const std::string start = fmt::format("{},{},{}", csv_names(scene, pair), name_of(pair.relation.kind),
                                           name_of(pair.relation.containment));
     const std::string end = csv_end(report, pair, groups[i]);
-    if (pair.face_pairs.empty()) csv += start + ",,," + end;
+    if (pair.face_pairs.empty()) csv += fmt::format("{},,,{}", start, end);
     for (const ReportedFacePair& faces : pair.face_pairs)
       csv += fmt::format("{},{},{},{}", start, faces.face_a, faces.face_b, faces.crossing) + end;
   }

@@ -27,7 +27,7 @@ Body body_of_walk(const SceneInstance& model, bool is_walker) {
 std::string walker_name(std::span<const SceneInstance> models) {
   std::string name = "walker";
   const auto has_it = [&](const SceneInstance& model) { return model.name == name; };
-  while (std::any_of(models.begin(), models.end(), has_it)) name = "the " + name;
+  while (std::any_of(models.begin(), models.end(), has_it)) name.insert(0, "the ");
   return name;
 }
 
