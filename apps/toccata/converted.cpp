@@ -123,7 +123,8 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
         fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
   }
   ConvertedScene converted{read_scene(scene.string(), {.scale = conversion.scale}), {}};
-  for (const std::string& note : lines_in(text_of_file(out))) converted.notes.push_back(fmt::format("{}: {}", path, note));
+  for (const std::string& note : lines_in(text_of_file(out)))
+    converted.notes.push_back(fmt::format("{}: {}", path, note));
   return converted;
 }
 
