@@ -1,3 +1,5 @@
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
 # The room `distributed` is tested by programs that mpirun starts several times, more often than there are cores too.
 file(GLOB RANK_TESTS CONFIGURE_DEPENDS distributed/*.cpp)
 add_library(tests_distributed OBJECT ${RANK_TESTS})
@@ -30,4 +32,11 @@ if(TOCCATA_TEST_SANITIZED)
   target_link_libraries(test_distributed_sanitized PRIVATE tests_distributed toccata_test_support toccata_distributed_sanitized)
   target_link_options(test_distributed_sanitized PRIVATE ${TOCCATA_QUICK_CHECKS})
   toccata_rank_tests(test_distributed_sanitized sanitized- 2)
+endif()
+if(TARGET toccata_check_ranks)
+  foreach(ranks IN ITEMS 1 2 3)
+    add_test(NAME distributed/check-${ranks} COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/distributed/check_ranks.py ${MPIEXEC_EXECUTABLE} ${ranks}
+                                                     $<TARGET_FILE:toccata_command> $<TARGET_FILE:toccata_check_ranks>)
+    set_tests_properties(distributed/check-${ranks} PROPERTIES ENVIRONMENT "${MPI_SETTINGS}" PROCESSORS 2)
+  endforeach()
 endif()

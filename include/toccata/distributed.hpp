@@ -1,5 +1,7 @@
 #pragma once
 
-// Many machines: a World over the ranks of an MPI communicator, in a library of its own (docs/guide/distributed.md).
+// Many machines: a World and a check over the ranks of an MPI communicator, in a library of its own
+// (docs/guide/distributed.md).
 
+#include "toccata/distributed/distributed_scene.hpp"
 #include "toccata/distributed/distributed_world.hpp"

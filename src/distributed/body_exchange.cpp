@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "distributed/body_bytes.hpp"
 #include "distributed/distributed_state.hpp"
 #include "math/constants.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "world/swept_box.hpp"
 
 namespace toccata {
 namespace {
@@ -23,14 +25,6 @@ std::vector<int> without(std::span<const int> ranks, int left_out) {
 
 }  // namespace
 
-Vec3 place_of(const Aabb& box) {
-  constexpr double most = 1e300;
-  Vec3 place;
-  for (int axis = 0; axis < 3; ++axis)
-    place[axis] = 0.5 * std::clamp(box.lower[axis], -most, most) + 0.5 * std::clamp(box.upper[axis], -most, most);
-  return place;
-}
-
 std::vector<int> DistributedWorld::State::ranks_reached_by(const Aabb& reached, int home) const {
   std::vector<int> ranks;
   space_.visit_parts_meeting(reached, [&](int part) { ranks.push_back(part); });
@@ -38,31 +32,86 @@ std::vector<int> DistributedWorld::State::ranks_reached_by(const Aabb& reached, 
   return ranks;
 }
 
-void DistributedWorld::State::apply(const WantedChanges& changes, Letters& letters) {
-  removed_.clear();
+Aabb DistributedWorld::State::reached_box(BodyId local) const {
+  const GlobalId id = copy(local).id;
+  const auto way = ways_.find(id);
+  if (way != ways_.end() && !is_empty(way->second.reached)) return way->second.reached;
+  // The World knows of rules for two that are both here; which ranks have a body must not depend on where others are.
+  const Aabb& known = world_.broad_phase().box(local.index);
+  const double by = rule_reach(id);
+  if (by == 0) return known;
+  return merge(known, offset_outward(way != ways_.end() ? way->second.box : world_.box(local), by));
+}
+
+void DistributedWorld::State::go(std::span<const WantedPlace> places) {
   std::vector<BodyId> ids;
   std::vector<Pose> poses;
-  for (const auto& [id, pose] : changes.moved) {
-    ids.push_back(local_.at(id));
-    poses.push_back(pose);
-    copy(ids.back()).change = std::max(copy(ids.back()).change, Change::moved);
+  std::vector<RigidMotion> motions;
+  // Of one body the last place counts, so what follows each other goes together.
+  for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+    const bool along = places[begin].motion.has_value();
+    for (; end < places.size() && places[end].motion.has_value() == along; ++end) {
+      ids.push_back(local_.at(places[end].id));
+      if (along)
+        motions.push_back(*places[end].motion);
+      else
+        poses.push_back(places[end].pose);
+      if (!along && !ways_.empty()) ways_.erase(places[end].id);
+    }
+    if (along)
+      world_.move_along(ids, motions);
+    else
+      world_.move(ids, poses);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const GlobalId id = copy(ids[i]).id;
+      ways_.insert_or_assign(
+          id, GlobalWay{motions[i], swept_box(world_.body(ids[i]), motions[i], [&] { return name_of_body(id); }), {}});
+    }
+    ids.clear();
+    poses.clear();
+    motions.clear();
   }
-  world_.move(ids, poses);
+}
+
+void DistributedWorld::State::remove_here(GlobalId id) {
+  const BodyId local = local_.at(id);
+  world_.remove(local);
+  copy(local) = {};
+  local_.erase(id);
+  forget_rules(id);
+  removed_.insert(id);
+}
+
+void DistributedWorld::State::apply(const WantedChanges& changes, Letters& letters) {
+  removed_.clear();
+  ways_.clear();
+  for (const GlobalBody& deformed : changes.bodies_deformed) {
+    const BodyId local = local_.at(deformed.id);
+    world_.replace(local, deformed.body);
+    copy(local).change = Change::replaced;
+    copy(local).is_deformed = true;
+  }
+  go(changes.moved);
+  for (const WantedPlace& moved : changes.moved) {
+    Copy& one = copy(local_.at(moved.id));
+    one.change = std::max(one.change, Change::moved);
+  }
   for (const GlobalBody& replaced : changes.replaced) {
-    world_.replace(local_.at(replaced.id), replaced.body);
-    copy(local_.at(replaced.id)).change = Change::replaced;
+    const BodyId local = local_.at(replaced.id);
+    world_.replace(local, replaced.body);
+    copy(local).change = Change::replaced;
+    copy(local).is_deformed = false;
+    ways_.erase(replaced.id);
   }
   for (const GlobalId id : changes.removed) {
-    const BodyId local = local_.at(id);
-    for (const int holder : copy(local).holders) {
+    for (const int holder : copy(local_.at(id)).holders) {
       letters[holder].put(BodyMessage::remove);
       letters[holder].put(id);
     }
-    world_.remove(local);
-    copy(local) = {};
-    local_.erase(id);
-    removed_.insert(id);
+    ways_.erase(id);
+    remove_here(id);
   }
+  follow(changes);
 }
 
 double DistributedWorld::State::imbalance_of(const WantedChanges& changes) {
@@ -111,41 +160,55 @@ void DistributedWorld::State::put_home(MessageWriter& letter, int to, int home, 
   if (is_new_home) letter.put_all(std::span<const int>(without(holders, home)));
 }
 
+void DistributedWorld::State::put_way(MessageWriter& letter, GlobalId id) const {
+  const auto way = ways_.find(id);
+  letter.put(way != ways_.end());
+  if (way != ways_.end()) letter.put(way->second.motion.pieces().front());
+}
+
+void DistributedWorld::State::put_place(MessageWriter& letter, BodyId local) const {
+  put_way(letter, copy(local).id);
+  if (!ways_.contains(copy(local).id)) letter.put(world_.body(local).pose);
+}
+
+void DistributedWorld::State::put_whole(MessageWriter& letter, BodyId local, int to) {
+  const Copy& own = copy(local);
+  put_body(letter, world_.body(local), models_, to, own.is_deformed ? ModelGoes::each_time : ModelGoes::once);
+  put_way(letter, own.id);
+  letter.put(own.is_deformed);
+  put_rules(letter, own.id);
+}
+
 void DistributedWorld::State::send(BodyId local, Letters& letters) {
   Copy& own = copy(local);
-  const Body& body = world_.body(local);
-  const Aabb& box = world_.box(local);
-  const int here = ranks_.rank(), home = space_.part_of(place_of(box));
-  const std::vector<int> reached_ranks = ranks_reached_by(world_.broad_phase().box(local.index), home);
+  const int here = ranks_.rank(), home = space_.part_of(place_of(world_.box(local)));
+  const std::vector<int> reached_ranks = ranks_reached_by(reached_box(local), home);
   const auto begin = [&](int to, BodyMessage message) -> MessageWriter& {
     letters[to].put(message);
     letters[to].put(own.id);
     return letters[to];
   };
+  const auto put_whole_to = [&](int to) {
+    MessageWriter& letter = begin(to, BodyMessage::put);
+    put_home(letter, to, home, reached_ranks);
+    put_whole(letter, local, to);
+  };
   for (const int to : reached_ranks) {
     if (to == here) continue;
-    const bool is_new_home = to == home;
-    const bool has_it = has(own.holders, to);
-    if (!has_it || own.change == Change::replaced) {
-      MessageWriter& letter = begin(to, BodyMessage::put);
-      put_home(letter, to, home, reached_ranks);
-      put_body(letter, body, to);
-    } else if (own.change == Change::moved || is_new_home) {
+    if (!has(own.holders, to) || own.change == Change::replaced) {
+      put_whole_to(to);
+    } else if (own.change == Change::moved || to == home) {
       MessageWriter& letter = begin(to, BodyMessage::move);
       put_home(letter, to, home, reached_ranks);
-      letter.put(body.pose);
+      put_place(letter, local);
     }
   }
   for (const int to : own.holders) {
     if (has(reached_ranks, to)) continue;
     // In the step to come it is still there: so it has to be what it is now, or that rank would tell pairs of what it
     // was.
-    if (own.change == Change::replaced) {
-      MessageWriter& letter = begin(to, BodyMessage::put);
-      put_home(letter, to, home, reached_ranks);
-      put_body(letter, body, to);
-    }
-    begin(to, BodyMessage::leave).put(body.pose);
+    if (own.change == Change::replaced) put_whole_to(to);
+    put_place(begin(to, BodyMessage::leave), local);
   }
   own.change = Change::none;
   own.lives_here = home == here;
@@ -156,13 +219,18 @@ void DistributedWorld::State::send(BodyId local, Letters& letters) {
 
 void DistributedWorld::State::send_new(const GlobalBody& added, const BodyBoxes& boxes, Letters& letters) {
   const int home = space_.part_of(place_of(boxes.own));
-  const std::vector<int> reached_ranks = ranks_reached_by(boxes.reached, home);
+  const double by = rule_reach(added.id);
+  const Aabb reached = by > 0 ? merge(boxes.reached, offset_outward(boxes.own, by)) : boxes.reached;
+  const std::vector<int> reached_ranks = ranks_reached_by(reached, home);
   for (const int to : reached_ranks) {
     MessageWriter& letter = letters[to];
     letter.put(BodyMessage::put);
     letter.put(added.id);
     put_home(letter, to, home, reached_ranks);
-    put_body(letter, added.body, to);
+    put_body(letter, added.body, models_, to, ModelGoes::once);
+    letter.put(false);  // it goes along no motion
+    letter.put(false);  // its mesh may be shared
+    put_rules(letter, added.id);
   }
 }
 
@@ -175,84 +243,61 @@ void DistributedWorld::State::send_where_they_belong(const WantedChanges& change
   for (std::size_t i = 0; i < changes.added.size(); ++i) send_new(changes.added[i], changes.boxes_of_added[i], letters);
 }
 
-void DistributedWorld::State::put_body(MessageWriter& letter, const Body& body, int to) {
-  models_.put(letter, body.model, to);
-  letter.put(body.pose);
-  letter.put(body.type);
-  letter.put(body.solid);
-  letter.put(body.group);
-  letter.put(body.mask);
-  letter.put(body.margin);
-  letter.put(body.max_acceleration);
-  letter.put(body.max_speed);
-  letter.put(body.user_data);
-  letter.put_text(body.name);
-}
-
-Body DistributedWorld::State::get_body(MessageReader& reader) {
-  Body body{models_.get(reader)};
-  body.pose = reader.get<Pose>();
-  body.type = reader.get<BodyType>();
-  body.solid = reader.get<Solid>();
-  body.group = reader.get<std::uint64_t>();
-  body.mask = reader.get<std::uint64_t>();
-  body.margin = reader.get<double>();
-  body.max_acceleration = reader.get<double>();
-  body.max_speed = reader.get<double>();
-  body.user_data = reader.get<std::uint64_t>();
-  body.name = reader.get_text();
-  return body;
-}
-
 void DistributedWorld::State::come_to_live_here(BodyId local, std::span<const int> holders) {
   copy(local).lives_here = true;
   copy(local).holders.assign(holders.begin(), holders.end());
   ++last_.costs.came;
 }
 
-void DistributedWorld::State::receive(std::span<const Received> letters) {
-  std::vector<BodyId> moved, replaced, removed;
-  std::vector<Pose> poses;
-  std::vector<Body> bodies, replacements;
-  std::vector<GlobalId> ids;
-  std::vector<GlobalBody> put;
-  std::vector<std::pair<GlobalId, std::vector<int>>> new_homes;
+std::optional<RigidMotion> DistributedWorld::State::get_way(MessageReader& reader) {
+  if (!reader.get<bool>()) return std::nullopt;
+  const auto piece = reader.get<RigidMotion::Piece>();
+  return RigidMotion(piece.start, piece.move);
+}
+
+DistributedWorld::State::News DistributedWorld::State::read(std::span<const Received> letters) {
+  News news;
   for (const Received& received : letters)
     for (MessageReader reader(received.bytes); !reader.is_at_end();) {
       const auto message = reader.get<BodyMessage>();
       const auto id = reader.get<GlobalId>();
       const bool can_be_home = message == BodyMessage::put || message == BodyMessage::move;
-      if (can_be_home && reader.get<bool>()) new_homes.emplace_back(id, reader.get_all<int>());
-      if (message == BodyMessage::put) {
-        put.push_back({id, get_body(reader)});
-      } else if (message == BodyMessage::remove) {
-        removed.push_back(local_.at(id));
-        removed_.insert(id);
-      } else {
-        moved.push_back(local_.at(id));
-        poses.push_back(reader.get<Pose>());
-        if (message == BodyMessage::leave) leaving_.push_back(moved.back());
+      if (can_be_home && reader.get<bool>()) news.homes.emplace_back(id, reader.get_all<int>());
+      if (message == BodyMessage::remove) {
+        news.removed.push_back(id);
+        continue;
       }
+      if (message == BodyMessage::put) {
+        news.put.push_back({{id, get_body(reader, models_)}});
+        if (std::optional<RigidMotion> way = get_way(reader)) news.places.push_back({id, {}, std::move(way)});
+        news.put.back().is_deformed = reader.get<bool>();
+        news.put.back().rules = get_rules(reader);
+        continue;
+      }
+      if (message == BodyMessage::leave) news.leaving.push_back(id);
+      std::optional<RigidMotion> way = get_way(reader);
+      const Pose pose = way ? Pose{} : reader.get<Pose>();
+      news.places.push_back({id, pose, std::move(way)});
     }
-  for (const BodyId local : removed) {
-    local_.erase(copy(local).id);
-    copy(local) = {};
-  }
-  world_.remove(removed);
-  // Only now: another rank may have given the id of a removed body to a new one.
-  for (GlobalBody& one : put) {
-    const auto known = local_.find(one.id);
+  return news;
+}
+
+/// Those that come, and those that are here and are others now.
+void DistributedWorld::State::put_here(News& news) {
+  std::vector<BodyId> replaced;
+  std::vector<Body> bodies, replacements;
+  std::vector<GlobalId> ids;
+  for (PutBody& one : news.put) {
+    const auto known = local_.find(one.given.id);
     if (known == local_.end()) {
-      ids.push_back(one.id);
-      bodies.push_back(std::move(one.body));
+      ids.push_back(one.given.id);
+      bodies.push_back(std::move(one.given.body));
     } else {
       replaced.push_back(known->second);
-      replacements.push_back(std::move(one.body));
+      replacements.push_back(std::move(one.given.body));
     }
   }
-  // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   world_.replace(replaced, replacements);
-  world_.move(moved, poses);
   const std::vector<BodyId> locals = world_.add(bodies);
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (locals[i].index >= copies_.size()) copies_.resize(locals[i].index + std::size_t{1});
@@ -262,16 +307,41 @@ void DistributedWorld::State::receive(std::span<const Received> letters) {
     one.cost = cost_of_body;
     local_.emplace(ids[i], locals[i]);
   }
-  for (const auto& [id, holders] : new_homes) come_to_live_here(local_.at(id), holders);
+  for (PutBody& one : news.put) {
+    copy(local_.at(one.given.id)).is_deformed = one.is_deformed;
+    if (!one.rules.empty()) rules_[one.given.id] = std::move(one.rules);
+  }
+}
+
+void DistributedWorld::State::receive(const WantedChanges& changes, std::span<const Received> letters) {
+  News news = read(letters);
+  // First: another rank may have given the id of a removed body to a new one.
+  for (const GlobalId id : news.removed) remove_here(id);
+  put_here(news);
+  // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
+  go(news.places);
+  for (const GlobalId id : news.leaving) leaving_.push_back(local_.at(id));
+  for (const auto& [id, holders] : news.homes) come_to_live_here(local_.at(id), holders);
+  tell_rules(changes, news);
 }
 
 void DistributedWorld::State::give_up_what_left() {
   for (const BodyId local : leaving_) {
     local_.erase(copy(local).id);
+    forget_rules(copy(local).id);
     copy(local) = {};
   }
   world_.remove(leaving_);
   leaving_.clear();
+}
+
+/// What went along a motion reaches less far now: in the next step it is seen to which ranks.
+void DistributedWorld::State::arrive() {
+  for (const auto& [id, way] : ways_) {
+    Copy& one = copy(local_.at(id));
+    if (one.lives_here) one.change = Change::moved;
+  }
+  ways_.clear();
 }
 
 void DistributedWorld::State::count_costs() {

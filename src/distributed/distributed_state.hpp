@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -14,6 +16,7 @@
 #include "distributed/space_of_ranks.hpp"
 #include "toccata/distributed/distributed_world.hpp"
 #include "toccata/world/world_queries.hpp"
+#include "world/pair_rules.hpp"
 
 namespace toccata {
 
@@ -23,20 +26,51 @@ struct BodyBoxes {
   Aabb reached;
 };
 
+/// Where a body goes in a step: it is there at once, or at the end of a motion.
+struct WantedPlace {
+  GlobalId id = 0;
+  Pose pose{};
+  std::optional<RigidMotion> motion{};
+};
+
+struct WantedShape {
+  GlobalId id = 0;
+  std::vector<Vec3> vertices;
+};
+
+/// What is said of a body and others.
+using RulesOfBody = std::map<GlobalId, PairRules::Rule>;
+[[nodiscard]] RulesOfBody get_rules(MessageReader& reader);
+
 /// What is to be done in the next step.
 struct WantedChanges {
   std::vector<GlobalBody> added;
   std::vector<BodyBoxes> boxes_of_added;  ///< filled in where they are found right
-  std::vector<std::pair<GlobalId, Pose>> moved;
+  std::vector<WantedPlace> moved;
+  std::vector<WantedShape> deformed;
+  std::vector<GlobalBody> bodies_deformed;  ///< filled in
   std::vector<GlobalBody> replaced;
   std::vector<GlobalId> removed;
+  std::vector<GlobalPairRule> rules;
+  std::vector<GlobalPairRule> rules_of_all;  ///< filled in: of all ranks, first those that end with a body
+
+  [[nodiscard]] bool is_empty() const {
+    return added.empty() && moved.empty() && deformed.empty() && replaced.empty() && removed.empty() && rules.empty();
+  }
+};
+
+/// A body that goes along a motion in the step.
+struct GlobalWay {
+  RigidMotion motion;
+  Aabb box;      ///< around all of its way
+  Aabb reached;  ///< within its margins of that
 };
 
 /// What another rank is told of a body that it has, or comes to have.
 enum class BodyMessage : std::uint8_t {
   put,     ///< all of it: it comes there, or is another now
-  move,    ///< its pose
-  leave,   ///< its pose, and that the rank gives it up after the step
+  move,    ///< its place
+  leave,   ///< its place, and that the rank gives it up after the step
   remove,  ///< it is there no more
 };
 
@@ -66,6 +100,11 @@ class DistributedWorld::State {
   std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes, double distance);
   std::vector<std::optional<GlobalAnswer<Distance>>> nearest_each(std::span<const SceneInstance> shapes,
                                                                   double max_distance);
+  std::vector<std::vector<GlobalAnswer<Distance>>> nearest_bodies_each(std::span<const SceneInstance> shapes,
+                                                                       std::size_t k, double max_distance);
+
+  void save(const std::filesystem::path& folder);
+  void load(const std::filesystem::path& folder);
 
  private:
   enum class Change : std::uint8_t { none, moved, replaced };
@@ -74,11 +113,25 @@ class DistributedWorld::State {
   struct Copy {
     GlobalId id = 0;
     bool lives_here = false;
+    bool is_deformed = false;  ///< its mesh is its own
     Change change = Change::none;
     std::uint64_t cost = 1;
     std::vector<int> holders;  ///< of one that lives here: the other ranks that have it, ascending
   };
   using Letters = std::map<int, MessageWriter>;
+  struct PutBody {
+    GlobalBody given;
+    bool is_deformed = false;
+    RulesOfBody rules{};
+  };
+  /// What this rank is told in a step, sorted out.
+  struct News {
+    std::vector<GlobalId> removed;
+    std::vector<PutBody> put;
+    std::vector<WantedPlace> places;
+    std::vector<GlobalId> leaving;
+    std::vector<std::pair<GlobalId, std::vector<int>>> homes;  ///< what lives here from now on, and who else has it
+  };
 
   /// Throws Error naming the id when it is of no body that lives here.
   [[nodiscard]] BodyId require(GlobalId id) const;
@@ -92,6 +145,23 @@ class DistributedWorld::State {
   /// Each id is known to one rank, which sees that it is given once.
   void register_ids(const WantedChanges& changes);
   [[nodiscard]] int registrar_of(GlobalId id) const;
+  void check_places(const WantedChanges& changes) const;
+  void check_deformed(WantedChanges& changes) const;
+  static void check_rules(const WantedChanges& changes);
+
+  // Rules (rules_of_ranks.cpp).
+  /// All ranks get to know all that is said, and what ends since bodies are removed. Throws Error for a body that there
+  /// is not, or two rules for the same two.
+  void share_rules(WantedChanges& changes);
+  void require_rules_right(const WantedChanges& changes);
+  /// What is said about bodies that are here, or come from here.
+  void follow(const WantedChanges& changes);
+  void put_rules(MessageWriter& letter, GlobalId id) const;
+  /// The World is told of rules for two that are both here now.
+  void tell_rules(const WantedChanges& changes, const News& news);
+  void forget_rules(GlobalId id) { rules_.erase(id); }
+  /// How far its rules make a body's box reach, as a World has it.
+  [[nodiscard]] double rule_reach(GlobalId id) const;
 
   // Bodies go where they belong (body_exchange.cpp).
   void apply(const WantedChanges& changes, Letters& letters);
@@ -102,15 +172,26 @@ class DistributedWorld::State {
   void send(BodyId local, Letters& letters);
   void send_new(const GlobalBody& added, const BodyBoxes& boxes, Letters& letters);
   void put_home(MessageWriter& letter, int to, int home, std::span<const int> holders) const;
-  void put_body(MessageWriter& letter, const Body& body, int to);
-  [[nodiscard]] Body get_body(MessageReader& reader);
-  void receive(std::span<const Received> letters);
+  void put_way(MessageWriter& letter, GlobalId id) const;
+  void put_place(MessageWriter& letter, BodyId local) const;
+  void put_whole(MessageWriter& letter, BodyId local, int to);
+  [[nodiscard]] static std::optional<RigidMotion> get_way(MessageReader& reader);
+  [[nodiscard]] News read(std::span<const Received> letters);
+  void receive(const WantedChanges& changes, std::span<const Received> letters);
+  void remove_here(GlobalId id);
+  void put_here(News& news);
+  void go(std::span<const WantedPlace> places);
   void come_to_live_here(BodyId local, std::span<const int> holders);
   void give_up_what_left();
+  void arrive();
+  /// Contains the body in this step, on its way, and all within its margin and those of its rules.
+  [[nodiscard]] Aabb reached_box(BodyId local) const;
   [[nodiscard]] std::vector<int> ranks_reached_by(const Aabb& reached, int home) const;
 
   // Pairs are told by one rank each (pair_tellers.cpp).
+  void find_pairs();
   void tell();
+  [[nodiscard]] bool was_told(BodyId a, BodyId b) const;
   [[nodiscard]] std::vector<LocalPair> found_pairs() const;
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
   void add_details(std::span<GlobalPairReport> pairs) const;
@@ -124,9 +205,15 @@ class DistributedWorld::State {
   std::vector<Answer> ask_ranks(std::span<const Question> questions, const MayKnow& may_know, const AnswerOne& answer,
                                 const Merge& merge);
   [[nodiscard]] std::vector<Aabb> boxes_of_ranks();
+  [[nodiscard]] std::vector<GlobalAnswer<Distance>> nearest_here(const SceneInstance& shape, std::size_t count,
+                                                                 double max_distance) const;
   /// Of the bodies that live here the first by (upper, id), by `ask(filter, how far)`.
   template <class Found, class Ask>
   [[nodiscard]] std::optional<GlobalAnswer<Found>> first_here(const Ask& ask) const;
+
+  // The bodies that live here, as a file has them (checkpoint.cpp).
+  [[nodiscard]] Bytes bytes_of_bodies() const;
+  void want_bodies_of(std::span<const std::byte> bytes);
 
   DistributedOptions options_;
   Ranks ranks_;
@@ -137,6 +224,8 @@ class DistributedWorld::State {
   std::vector<Copy> copies_;
   std::unordered_map<GlobalId, BodyId> local_;
   std::unordered_map<GlobalId, int> registered_;  ///< on which ranks those ids were given
+  std::map<GlobalId, RulesOfBody> rules_;         ///< of bodies that are here, also with others that are not
+  std::map<GlobalId, GlobalWay> ways_;            ///< of bodies that are here, in the step that is being made
   std::unordered_set<GlobalId> removed_;  ///< in this step, of bodies that were here: who has the id now is another
   std::vector<BodyId> leaving_;
   std::vector<GlobalPairReport> told_;
@@ -148,8 +237,5 @@ class DistributedWorld::State {
 /// What messages call it.
 [[nodiscard]] std::string name_of_body(const GlobalBody& body);
 [[nodiscard]] std::string name_of_body(GlobalId id);
-
-/// A point of the box, by which the body has its home: about the middle.
-[[nodiscard]] Vec3 place_of(const Aabb& box);
 
 }  // namespace toccata

@@ -1,6 +1,7 @@
 #include "toccata/distributed/distributed_world.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -54,7 +55,21 @@ void DistributedWorld::add(std::span<const GlobalBody> bodies) {
 void DistributedWorld::move(std::span<const GlobalId> ids, std::span<const Pose> poses) {
   if (ids.size() != poses.size())
     throw Error(fmt::format("{} bodies are named and {} poses given; give one for each", ids.size(), poses.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i) state_->wanted.moved.emplace_back(ids[i], poses[i]);
+  for (std::size_t i = 0; i < ids.size(); ++i) state_->wanted.moved.push_back({ids[i], poses[i]});
+}
+
+void DistributedWorld::move_along(std::span<const GlobalId> ids, std::span<const RigidMotion> motions) {
+  if (ids.size() != motions.size())
+    throw Error(fmt::format("{} bodies are named and {} motions given; give one for each", ids.size(), motions.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i) state_->wanted.moved.push_back({ids[i], {}, motions[i]});
+}
+
+void DistributedWorld::deform(GlobalId id, std::vector<Vec3> vertices) {
+  state_->wanted.deformed.push_back({id, std::move(vertices)});
+}
+
+void DistributedWorld::set_rules(std::span<const GlobalPairRule> rules) {
+  state_->wanted.rules.insert(state_->wanted.rules.end(), rules.begin(), rules.end());
 }
 
 void DistributedWorld::replace(std::span<const GlobalBody> bodies) {
@@ -63,6 +78,15 @@ void DistributedWorld::replace(std::span<const GlobalBody> bodies) {
 
 void DistributedWorld::remove(std::span<const GlobalId> ids) {
   state_->wanted.removed.insert(state_->wanted.removed.end(), ids.begin(), ids.end());
+}
+
+void DistributedWorld::save(const std::filesystem::path& folder) { state_->save(folder); }
+
+DistributedWorld DistributedWorld::load(MpiCommunicator communicator, const std::filesystem::path& folder,
+                                        const DistributedOptions& options) {
+  DistributedWorld world(communicator, options);
+  world.state_->load(folder);
+  return world;
 }
 
 const DistributedStep& DistributedWorld::step() { return state_->step(); }
@@ -91,6 +115,11 @@ std::vector<std::vector<GlobalId>> DistributedWorld::within_each(std::span<const
 std::vector<std::optional<GlobalAnswer<Distance>>> DistributedWorld::nearest_each(std::span<const SceneInstance> shapes,
                                                                                   double max_distance) {
   return state_->nearest_each(shapes, max_distance);
+}
+
+std::vector<std::vector<GlobalAnswer<Distance>>> DistributedWorld::nearest_bodies_each(
+    std::span<const SceneInstance> shapes, std::size_t k, double max_distance) {
+  return state_->nearest_bodies_each(shapes, k, max_distance);
 }
 
 }  // namespace toccata

@@ -9,7 +9,9 @@
 
 #include "distributed/distributed_state.hpp"
 #include "math/constants.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/query/distance.hpp"
 #include "world/body_box.hpp"
 
 namespace toccata {
@@ -39,6 +41,36 @@ double least_gap(const Aabb& a, const Aabb& b) {
   return std::hypot(gap[0], gap[1], gap[2]) * (1 - 0x1p-30);
 }
 
+struct NearestBodies {
+  SceneInstance shape;
+  std::uint64_t count = 0;
+  double max_distance = infinity;
+};
+
+using NearBodies = std::vector<GlobalAnswer<Distance>>;
+
+/// Ascending, and no more than wanted.
+void keep_nearest(NearBodies& nearest, const GlobalAnswer<Distance>& other, std::size_t count) {
+  const auto key = [](const GlobalAnswer<Distance>& one) { return std::tie(one.upper, one.body); };
+  nearest.insert(std::ranges::upper_bound(nearest, key(other), {}, key), other);
+  if (nearest.size() > count) nearest.pop_back();
+}
+
+/// How far off another may be that is among them.
+double farthest_of_interest(const NearBodies& nearest, std::size_t count, double max_distance) {
+  return nearest.size() < count ? max_distance : std::min(max_distance, nearest.back().upper);
+}
+
+/// What is still to be asked, with that answer.
+template <class Question, class Answer>
+const Question& narrowed(const Question& question, const Answer&) {
+  return question;
+}
+NearestBodies narrowed(NearestBodies question, const NearBodies& nearest) {
+  question.max_distance = farthest_of_interest(nearest, question.count, question.max_distance);
+  return question;
+}
+
 template <class Found>
 using FirstOf = std::optional<GlobalAnswer<Found>>;
 
@@ -62,6 +94,11 @@ void put_question(MessageWriter& letter, const SceneInstance& shape) {
   letter.put(shape.pose);
   letter.put(shape.solid);
 }
+void put_question(MessageWriter& letter, const NearestBodies& question) {
+  put_question(letter, question.shape);
+  letter.put(question.count);
+  letter.put(question.max_distance);
+}
 void put_question(MessageWriter& letter, const MovingShape& moving) {
   put_question(letter, moving.shape);
   letter.put(moving.motion);
@@ -74,6 +111,10 @@ Question get_question(MessageReader& reader) {
   } else if constexpr (std::is_same_v<Question, MovingShape>) {
     SceneInstance shape = get_question<SceneInstance>(reader);
     return {std::move(shape), reader.get<Vec3>()};
+  } else if constexpr (std::is_same_v<Question, NearestBodies>) {
+    SceneInstance shape = get_question<SceneInstance>(reader);
+    const auto count = reader.get<std::uint64_t>();
+    return {std::move(shape), count, reader.get<double>()};
   } else {
     SceneInstance shape{Model(get_shape(reader))};
     shape.pose = reader.get<Pose>();
@@ -91,11 +132,16 @@ void put_answer(MessageWriter& letter, const std::vector<GlobalId>& ids) {
   letter.put_all(std::span<const GlobalId>(ids));
 }
 
+void put_answer(MessageWriter& letter, const NearBodies& nearest) {
+  letter.put_all(std::span<const GlobalAnswer<Distance>>(nearest));
+}
+
 template <class Found>
 void get_answer(MessageReader& reader, FirstOf<Found>& answer) {
   if (reader.get<bool>()) answer = reader.get<GlobalAnswer<Found>>();
 }
 void get_answer(MessageReader& reader, std::vector<GlobalId>& ids) { ids = reader.get_all<GlobalId>(); }
+void get_answer(MessageReader& reader, NearBodies& nearest) { nearest = reader.get_all<GlobalAnswer<Distance>>(); }
 
 template <class Question>
 constexpr const char* noun_of = std::is_same_v<Question, Ray> ? "ray" : "shape";
@@ -116,7 +162,7 @@ std::vector<Answer> DistributedWorld::State::ask_ranks(std::span<const Question>
           const Aabb& box = boxes[static_cast<std::size_t>(to)];
           if (to == ranks_.rank() || is_empty(box) || !may_know(questions[i], box, answers[i])) continue;
           letters[to].put(std::uint64_t{i});
-          put_question(letters[to], questions[i]);
+          put_question(letters[to], narrowed(questions[i], answers[i]));
         }
       } catch (const Error& error) {
         throw Error(fmt::format("{} {}: {}", noun_of<Question>, i, error.what()));
@@ -244,6 +290,51 @@ std::vector<std::optional<GlobalAnswer<Distance>>> DistributedWorld::State::near
         });
       },
       keep_first_of<Distance>);
+}
+
+std::vector<GlobalAnswer<Distance>> DistributedWorld::State::nearest_here(const SceneInstance& shape, std::size_t count,
+                                                                          double max_distance) const {
+  NearBodies nearest;
+  const Aabb box = box_of(shape);
+  if (count == 0 || is_empty(box)) return nearest;
+  Workspace workspace;
+  queries_.boxes().visit_nearest(box, max_distance, [&](Index object) {
+    const double limit = farthest_of_interest(nearest, count, max_distance);
+    const std::optional<BodyId> local = world_.body_at(object);
+    if (!local || !copy(*local).lives_here) return limit;
+    const GlobalId id = copy(*local).id;
+    const Body& body = world_.body(*local);
+    workspace.scratch().convex = {};  // it was another pair's
+    try {
+      const PairQuery query{shape.pose, body.pose, shape.solid, body.solid};
+      if (const auto found = distance_within(shape.model, body.model, limit, query, workspace))
+        keep_nearest(nearest, {*found, id}, count);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", name_of_body(id), error.what()));
+    }
+    return farthest_of_interest(nearest, count, max_distance);
+  });
+  return nearest;
+}
+
+std::vector<std::vector<GlobalAnswer<Distance>>> DistributedWorld::State::nearest_bodies_each(
+    std::span<const SceneInstance> shapes, std::size_t k, double max_distance) {
+  std::vector<NearestBodies> questions;
+  for (const SceneInstance& shape : shapes) questions.push_back({shape, k, max_distance});
+  return ask_ranks<NearBodies>(
+      std::span<const NearestBodies>(questions),
+      [](const NearestBodies& one, const Aabb& box, const NearBodies& known) {
+        return one.count > 0 &&
+               least_gap(box_of(one.shape), box) <= farthest_of_interest(known, one.count, one.max_distance);
+      },
+      [&](const NearestBodies& one) {
+        if (!(one.max_distance >= 0))
+          throw Error(fmt::format("the greatest distance is {}; it has to be a length of 0 or more", one.max_distance));
+        return nearest_here(one.shape, one.count, one.max_distance);
+      },
+      [&](NearBodies& nearest, const NearBodies& others) {
+        for (const GlobalAnswer<Distance>& other : others) keep_nearest(nearest, other, k);
+      });
 }
 
 }  // namespace toccata

@@ -135,11 +135,15 @@ ModelStore::Name ModelStore::name_of(const Model& model, const void* identity) {
   return name;
 }
 
+void ModelStore::put_whole(MessageWriter& writer, const Model& model) {
+  writer.put(Name{});
+  put_shape(writer, model.shape());
+}
+
 void ModelStore::put(MessageWriter& writer, const Model& model, int to) {
   const void* identity = identity_of(model.shape());
   if (identity == nullptr) {
-    writer.put(Name{});
-    put_shape(writer, model.shape());
+    put_whole(writer, model);
     return;
   }
   const Name name = name_of(model, identity);

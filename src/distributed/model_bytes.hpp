@@ -23,6 +23,8 @@ class ModelStore {
   explicit ModelStore(int rank) : rank_(rank) {}
 
   void put(MessageWriter& writer, const Model& model, int to);
+  /// All of it, each time: of one that will be another soon.
+  static void put_whole(MessageWriter& writer, const Model& model);
   [[nodiscard]] Model get(MessageReader& reader);
 
  private:

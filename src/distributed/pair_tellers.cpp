@@ -22,7 +22,7 @@ bool is_of_lesser_ids(const LocalPair& a, const LocalPair& b) { return ids_of(a.
 /// Of the part of space that has the lower corner of what the two boxes, as far as the bodies reach, have in common.
 /// That point is in both boxes, so the rank has both bodies; and it is in one part alone.
 int DistributedWorld::State::teller_of(BodyId a, BodyId b) const {
-  const Aabb &first = world_.broad_phase().box(a.index), &second = world_.broad_phase().box(b.index);
+  const Aabb first = reached_box(a), second = reached_box(b);
   return space_.part_of({std::max(first.lower.x, second.lower.x), std::max(first.lower.y, second.lower.y),
                          std::max(first.lower.z, second.lower.z)});
 }
@@ -38,22 +38,48 @@ std::vector<LocalPair> DistributedWorld::State::found_pairs() const {
   return found;
 }
 
+bool DistributedWorld::State::was_told(BodyId a, BodyId b) const {
+  const PairOfIds ids = std::minmax(copy(a).id, copy(b).id);
+  return std::ranges::binary_search(told_, ids, {}, ids_of);
+}
+
+/// Those that this rank tells, if they are pairs. And those that it told in the step before: it has to know whether
+/// they end, where another tells them now. What else is here several ranks have, and one of them looks at it.
+void DistributedWorld::State::find_pairs() {
+  for (auto& [id, way] : ways_) way.reached = reached_box(local_.at(id));
+  if (ranks_.count() == 1)
+    world_.step();
+  else
+    world_.step([&](BodyId a, BodyId b) { return teller_of(a, b) == ranks_.rank() || was_told(a, b); });
+  last_.costs.candidates = world_.last_step().candidates;
+}
+
 /// As a World tells them of (a, b), whichever of the two has the lesser index here.
 void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) const {
-  if (!tells_details(options_.world)) return;
+  const bool of_all = tells_details(options_.world);
+  if (!of_all && ways_.empty()) return;
   std::vector<Body> bodies;
+  BodiesOnTheWay on_the_way;
   std::vector<UndecidedPair> undecided;
   std::vector<DecidedPair> decided;
-  for (const GlobalPairReport& pair : pairs) {
+  std::vector<GlobalPairReport*> asked;
+  const auto take = [&](GlobalId id, BodyId local) {
+    const auto index = static_cast<Index>(bodies.size());
+    bodies.push_back(world_.body(local));
+    if (const auto way = ways_.find(id); way != ways_.end())
+      on_the_way.insert_or_assign(index, BodyOnTheWay{way->second.motion, way->second.box});
+    return index;
+  };
+  for (GlobalPairReport& pair : pairs) {
+    if (!of_all && !ways_.contains(pair.a) && !ways_.contains(pair.b)) continue;
     const BodyId a = local_.at(pair.a), b = local_.at(pair.b);
-    const auto first = static_cast<Index>(bodies.size());
-    bodies.push_back(world_.body(a));
-    bodies.push_back(world_.body(b));
+    const Index first = take(pair.a, a), second = take(pair.b, b);
     undecided.push_back({decided.size(), world_.pair_margin(a, b).value_or(0)});
-    decided.push_back({{first, first + 1}});
+    decided.push_back({{first, second}});
+    asked.push_back(&pair);
   }
-  NarrowPhase(options_.world).decide(bodies, {}, undecided, decided);
-  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].details = decided[i].details;
+  NarrowPhase(options_.world).decide(bodies, on_the_way, undecided, decided);
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i]->details = decided[i].details;
 }
 
 void DistributedWorld::State::tell() {
@@ -99,23 +125,30 @@ const DistributedStep& DistributedWorld::State::step() {
   check(changes);
   const std::uint64_t sent_before = ranks_.bytes_sent();
   last_.costs.came = 0;
-  try {
-    Letters letters;
-    apply(changes, letters);
-    divide(changes);
-    send_where_they_belong(changes, letters);
-    receive(ranks_.exchange(letters));
+  const auto all_do = [&](auto work) {
     ranks_.all_do([&] {
-      world_.step();
+      work();
       return false;
     });
+  };
+  try {
+    Letters letters;
+    all_do([&] { apply(changes, letters); });
+    divide(changes);
+    all_do([&] { send_where_they_belong(changes, letters); });
+    const std::vector<Received> received = ranks_.exchange(letters);
+    all_do([&] {
+      receive(changes, received);
+      find_pairs();
+    });
     tell();
+    arrive();
+    count_costs();
+    give_up_what_left();
   } catch (const std::exception& error) {
     broken_ = std::string("no more steps are possible after this one failed: ") + error.what();
     throw;
   }
-  count_costs();
-  give_up_what_left();
   const auto live_here = std::count_if(copies_.begin(), copies_.end(), [](const Copy& one) { return one.lives_here; });
   last_.costs.bodies = static_cast<std::size_t>(live_here);
   last_.costs.ghosts = world_.size() - last_.costs.bodies;

@@ -7,6 +7,14 @@
 
 namespace toccata {
 
+Vec3 place_of(const Aabb& box) {
+  constexpr double most = 1e300;
+  Vec3 place;
+  for (int axis = 0; axis < 3; ++axis)
+    place[axis] = 0.5 * std::clamp(box.lower[axis], -most, most) + 0.5 * std::clamp(box.upper[axis], -most, most);
+  return place;
+}
+
 SpaceOfRanks::SpaceOfRanks(int parts)
     : parts_(parts), planes_(static_cast<std::size_t>(parts - 1), Plane{0, infinity}) {}
 

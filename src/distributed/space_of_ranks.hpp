@@ -10,6 +10,9 @@
 
 namespace toccata {
 
+/// A point of the box, about the middle: where what is in it has its home.
+[[nodiscard]] Vec3 place_of(const Aabb& box);
+
 /// All of space, divided into as many parts as there are ranks by planes across the axes: a plane divides space, each
 /// side is divided again, and so on. What lies on a plane belongs to the side above, so every point is in one part. The
 /// same bits on all ranks. (M. J. Berger, S. H. Bokhari, "A partitioning strategy for nonuniform problems on

@@ -7,6 +7,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "world/body_box.hpp"
+#include "world/swept_box.hpp"
 
 namespace toccata {
 namespace {
@@ -83,24 +84,75 @@ BodyId DistributedWorld::State::require(GlobalId id) const {
   return found->second;
 }
 
+void DistributedWorld::State::check_deformed(WantedChanges& changes) const {
+  for (WantedShape& shape : changes.deformed) {
+    const auto same = [&](const GlobalBody& one) { return one.id == shape.id; };
+    const BodyId local = require(shape.id);
+    auto deformed = std::find_if(changes.bodies_deformed.begin(), changes.bodies_deformed.end(), same);
+    if (deformed == changes.bodies_deformed.end())
+      deformed = changes.bodies_deformed.insert(deformed, GlobalBody{shape.id, world_.body(local)});
+    try {
+      deformed->body.model.deform(std::move(shape.vertices), options_.world.threads);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", name_of_body(*deformed), error.what()));
+    }
+    const auto who = [&] { return name_of_body(shape.id); };
+    static_cast<void>(body_box(deformed->body, deformed->body.pose, who));
+  }
+}
+
+/// Of bodies as they are once they are deformed.
+void DistributedWorld::State::check_places(const WantedChanges& changes) const {
+  std::unordered_map<GlobalId, const Body*> deformed;
+  for (const GlobalBody& one : changes.bodies_deformed) deformed.emplace(one.id, &one.body);
+  for (const WantedPlace& moved : changes.moved) {
+    const BodyId local = require(moved.id);
+    const auto other = deformed.empty() ? deformed.end() : deformed.find(moved.id);
+    const Body& body = other == deformed.end() ? world_.body(local) : *other->second;
+    const auto who = [&] { return name_of_body(moved.id); };
+    if (!moved.motion) {
+      static_cast<void>(body_box(body, moved.pose, who));
+      continue;
+    }
+    if (moved.motion->pieces().size() != 1)
+      throw Error(fmt::format("{}: its motion {}; give one move for a step", who(),
+                              moved.motion->pieces().empty() ? "is told by a function, which is on this rank alone"
+                                                             : "is of several pieces"));
+    static_cast<void>(body_box(body, moved.motion->at(1), who));
+    static_cast<void>(swept_box(body, *moved.motion, who));
+  }
+}
+
+void DistributedWorld::State::check_rules(const WantedChanges& changes) {
+  for (const GlobalPairRule& rule : changes.rules) {
+    if (rule.a == rule.b) throw Error(fmt::format("a rule is given for {} with itself", name_of_body(rule.a)));
+    if (const double margin = rule.margin.value_or(0); !(margin >= 0))
+      throw Error(fmt::format("the rule for {} and {}: its margin is {}; it has to be a length of 0 or more",
+                              name_of_body(rule.a), name_of_body(rule.b), margin));
+  }
+}
+
 bool DistributedWorld::State::check_here(WantedChanges& changes) const {
   std::unordered_set<GlobalId> given, ended;
   changes.boxes_of_added = boxes_of(changes.added);
   for (const GlobalBody& added : changes.added)
     if (!given.insert(added.id).second) throw Error(fmt::format("{} is given twice", name_of_body(added)));
-  for (const auto& [id, pose] : changes.moved)
-    static_cast<void>(body_box(world_.body(require(id)), pose, [id = id] { return name_of_body(id); }));
+  check_deformed(changes);
+  check_places(changes);
+  check_rules(changes);
   for (const GlobalBody& replaced : changes.replaced) static_cast<void>(require(replaced.id));
   static_cast<void>(boxes_of(changes.replaced));
   for (const GlobalId id : changes.removed) {
     static_cast<void>(require(id));
     if (!ended.insert(id).second) throw Error(fmt::format("{} is to be removed twice", name_of_body(id)));
   }
-  return !given.empty() || !ended.empty();
+  return !given.empty() || !ended.empty() || !changes.rules.empty();
 }
 
 void DistributedWorld::State::check(WantedChanges& changes) {
-  if (ranks_.all_do([&] { return check_here(changes); })) register_ids(changes);
+  if (!ranks_.all_do([&] { return check_here(changes); })) return;
+  share_rules(changes);
+  register_ids(changes);
 }
 
 int DistributedWorld::State::registrar_of(GlobalId id) const {
@@ -112,25 +164,24 @@ void DistributedWorld::State::register_ids(const WantedChanges& changes) {
   for (const GlobalId id : changes.removed) letters[registrar_of(id)].put(Registration{id, false});
   for (const GlobalBody& added : changes.added) letters[registrar_of(added.id)].put(Registration{added.id, true});
   std::unordered_set<GlobalId> ended;
-  std::unordered_map<GlobalId, int> given;
-  const std::vector<Received> all = ranks_.exchange(letters);
-  for (const Received& received : all)
+  std::vector<std::pair<GlobalId, int>> begun;
+  for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();)
-      if (const auto one = reader.get<Registration>(); !one.is_new) ended.insert(one.id);
+      if (const auto one = reader.get<Registration>(); one.is_new)
+        begun.emplace_back(one.id, received.from);
+      else
+        ended.insert(one.id);
+  std::unordered_map<GlobalId, int> given;
   ranks_.all_do([&] {
-    for (const Received& received : all)
-      for (MessageReader reader(received.bytes); !reader.is_at_end();) {
-        const auto one = reader.get<Registration>();
-        if (!one.is_new) continue;
-        const auto there = registered_.find(one.id);
-        if (there != registered_.end() && !ended.contains(one.id))
-          throw Error(fmt::format("{} is given on rank {} and is there already, given on rank {}", name_of_body(one.id),
-                                  received.from, there->second));
-        const auto [place, is_first] = given.emplace(one.id, received.from);
-        if (!is_first)
-          throw Error(fmt::format("{} is given twice, on rank {} and on rank {}", name_of_body(one.id), place->second,
-                                  received.from));
-      }
+    for (const auto& [id, rank] : begun) {
+      const auto there = registered_.find(id);
+      if (there != registered_.end() && !ended.contains(id))
+        throw Error(fmt::format("{} is given on rank {} and is there already, given on rank {}", name_of_body(id), rank,
+                                there->second));
+      const auto [place, is_first] = given.emplace(id, rank);
+      if (!is_first)
+        throw Error(fmt::format("{} is given twice, on rank {} and on rank {}", name_of_body(id), place->second, rank));
+    }
     return false;
   });
   for (const GlobalId id : ended) registered_.erase(id);

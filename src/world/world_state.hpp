@@ -30,7 +30,9 @@ class World::State {
   Refit deform(BodyId id, std::vector<Vec3> vertices);
   void set_rules(std::span<const PairRule> rules);
   void prepare() const;
-  const WorldStep& step();
+  /// Null: all pairs are wanted.
+  using WantedPairs = FunctionRef<bool(BodyId, BodyId)>;
+  const WorldStep& step(const WantedPairs* are_wanted = nullptr);
 
   [[nodiscard]] bool contains(BodyId id) const {
     return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used &&
@@ -94,7 +96,7 @@ class World::State {
   [[nodiscard]] std::span<const IndexPair> pairs_to_look_at();
   /// Whose boxes overlap, as far as the pair's margin says.
   [[nodiscard]] bool may_be_near(const IndexPair& pair, double margin) const;
-  [[nodiscard]] std::vector<DecidedPair> candidates(std::span<const IndexPair> looked,
+  [[nodiscard]] std::vector<DecidedPair> candidates(std::span<const IndexPair> looked, const WantedPairs* are_wanted,
                                                     std::vector<UndecidedPair>& undecided);
   /// With space_time: how long the answer about a pair lasts is asked for too, as far as that may save time.
   void want_lasting(const IndexPair& pair, UndecidedPair& wanted) const;

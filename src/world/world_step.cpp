@@ -2,6 +2,7 @@
 #include <iterator>
 #include <utility>
 
+#include "toccata/core/error.hpp"
 #include "world/world_state.hpp"
 
 namespace toccata {
@@ -40,7 +41,7 @@ bool World::State::may_be_near(const IndexPair& pair, double margin) const {
 }
 
 /// The pairs to be decided, of which what is known already is filled in.
-std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> looked,
+std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> looked, const WantedPairs* are_wanted,
                                                   std::vector<UndecidedPair>& undecided) {
   std::vector<DecidedPair> found;
   auto known = decided_.begin();
@@ -52,6 +53,7 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
         schedule_->look_when_near(pair, reached_box(pair.first), reached_box(pair.second));
       continue;
     }
+    if (are_wanted != nullptr && !(*are_wanted)(id_of(pair.first), id_of(pair.second))) continue;
     while (known != decided_.end() && comes_before_pair(*known, pair)) ++known;
     const bool was_looked_at = known != decided_.end() && known->pair == pair;
     const bool is_as_it_was = was_looked_at && !slots_[pair.first].has_changed && !slots_[pair.second].has_changed;
@@ -92,10 +94,13 @@ void World::State::tell(std::vector<PairReport> now) {
   pairs_ = std::move(now);
 }
 
-const WorldStep& World::State::step() {
+const WorldStep& World::State::step(const WantedPairs* are_wanted) {
+  if (are_wanted != nullptr && schedule_)
+    throw Error(
+        "a World with space_time looks at all pairs: take one without it to look at those alone that are wanted");
   const std::span<const IndexPair> looked = pairs_to_look_at();
   std::vector<UndecidedPair> undecided;
-  std::vector<DecidedPair> found = candidates(looked, undecided);
+  std::vector<DecidedPair> found = candidates(looked, are_wanted, undecided);
   narrow_.decide(bodies_, on_the_way_, undecided, found);
   decided_ = std::move(found);
   last_.candidates = decided_.size();

@@ -64,6 +64,26 @@ class TwinWorlds {
     if (distributed.lives_here(id)) distributed.move({&id, 1}, {&pose, 1});
   }
 
+  void move_along(BodyId local, const RigidMotion& motion) {
+    world.move_along(local, motion);
+    const GlobalId id = ids_.at(local);
+    if (distributed.lives_here(id)) distributed.move_along({&id, 1}, {&motion, 1});
+  }
+
+  void deform(BodyId local, const std::vector<Vec3>& vertices) {
+    world.deform(local, vertices);
+    const GlobalId id = ids_.at(local);
+    if (distributed.lives_here(id)) distributed.deform(id, vertices);
+  }
+
+  /// Given by one rank, whichever.
+  void set_rule(const PairRule& rule) {
+    world.set_rule(rule);
+    const GlobalPairRule named{ids_.at(rule.a), ids_.at(rule.b), rule.excluded, rule.margin};
+    if (static_cast<int>((named.a + named.b) % static_cast<GlobalId>(distributed.rank_count())) == distributed.rank())
+      distributed.set_rules({&named, 1});
+  }
+
   void replace(BodyId local, const Body& body) {
     world.replace(local, body);
     const GlobalBody named{ids_.at(local), body};
@@ -106,6 +126,21 @@ class TwinWorlds {
 
   [[nodiscard]] GlobalId id_of(BodyId local) const { return ids_.at(local); }
 
+  /// Of this rank.
+  static std::vector<ToldPair> own_told(std::span<const GlobalPairReport> reports) {
+    std::vector<ToldPair> own;
+    for (const GlobalPairReport& pair : reports) own.push_back({pair.a, pair.b, pair.in_contact});
+    EXPECT_TRUE(std::is_sorted(own.begin(), own.end()));
+    return own;
+  }
+
+  /// Of all ranks, ascending.
+  static std::vector<ToldPair> all_told(std::span<const GlobalPairReport> reports) {
+    std::vector<ToldPair> all = gathered(own_told(reports));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
   World world;
   DistributedWorld distributed;
 
@@ -139,15 +174,6 @@ class TwinWorlds {
     return words;
   }
 
-  static std::vector<ToldPair> all_told(const std::vector<GlobalPairReport>& reports) {
-    std::vector<ToldPair> own;
-    for (const GlobalPairReport& pair : reports) own.push_back({pair.a, pair.b, pair.in_contact});
-    EXPECT_TRUE(std::is_sorted(own.begin(), own.end()));
-    std::vector<ToldPair> all = gathered(own);
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-
   void compare_details(const std::vector<GlobalPairReport>& reports) const {
     for (const GlobalPairReport& pair : reports) {
       const BodyId a = locals_.at(pair.a), b = locals_.at(pair.b);
@@ -156,6 +182,7 @@ class TwinWorlds {
         if (other.a != a || other.b != b) continue;
         ASSERT_EQ(pair.details == nullptr, other.details == nullptr);
         if (pair.details == nullptr) continue;
+        EXPECT_EQ(pair.details->first_contact, other.details->first_contact);
         EXPECT_EQ(pair.details->distance, other.details->distance);
         EXPECT_EQ(pair.details->relation.has_value(), other.details->relation.has_value());
         EXPECT_EQ(pair.details->contacts.size(), other.details->contacts.size());

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "toccata/math/pose.hpp"
+#include "toccata/motion/rigid_motion.hpp"
 #include "toccata/query/object_queries.hpp"
 #include "toccata/world/body.hpp"
 #include "toccata/world/world.hpp"
@@ -28,6 +30,14 @@ using GlobalId = std::uint64_t;
 struct GlobalBody {
   GlobalId id = 0;
   Body body;
+};
+
+/// As PairRule, of bodies that live on any rank.
+struct GlobalPairRule {
+  GlobalId a = 0;
+  GlobalId b = 0;
+  bool excluded = false;
+  std::optional<double> margin{};
 };
 
 /// Equal on all ranks, else Error.
@@ -52,6 +62,7 @@ struct DistributedCosts {
   std::size_t bodies = 0;        ///< that live here
   std::size_t ghosts = 0;        ///< that live elsewhere and reach into this rank's part of space
   std::size_t came = 0;          ///< that live here since this step
+  std::size_t candidates = 0;    ///< pairs looked at here: those that this rank tells if they are told, and told before
   std::uint64_t bytes_sent = 0;  ///< by this rank
   double imbalance = 1;          ///< what the busiest rank has to do over the average, counted in bodies and pairs
   bool was_divided = false;      ///< space was divided anew
@@ -79,8 +90,8 @@ struct GlobalAnswer : Answer {
 /// The pairs of all ranks together are those of one World that has all bodies, whatever the number of ranks: the same
 /// code decides, and which rank tells of a pair follows from the place of the two alone (docs/guide/distributed.md).
 ///
-/// Calls that are not said to be collective are this rank's own and never wait; `add`, `move`, `replace` and `remove`
-/// only note what is wanted. A collective call is made by all ranks, in the same order. What one rank finds wrong is
+/// Calls that are not said to be collective are this rank's own and never wait; what changes bodies or rules is only
+/// noted. A collective call is made by all ranks, in the same order. What one rank finds wrong is
 /// thrown as Error on all, with the name of the rank; the bodies are then as they were, and what was noted is
 /// forgotten.
 class DistributedWorld {
@@ -94,11 +105,22 @@ class DistributedWorld {
 
   /// For the next step. Any rank may give any body, wherever it is: it comes to live where it belongs.
   void add(std::span<const GlobalBody> bodies);
-  /// For the next step: bodies that live here. Of several poses for one body the last counts; one that is replaced too
-  /// has the pose that `replace` gives. The id of a body that is removed may be given to another in the same step.
+  /// For the next step: bodies that live here. Of several poses and motions for one body the last counts; one that is
+  /// replaced too has the pose that `replace` gives. The id of a body that is removed may be given to another in the
+  /// same step.
   void move(std::span<const GlobalId> ids, std::span<const Pose> poses);
+  /// As World::move_along, for motions of one piece: a rest, a move, `straight`, `between` or `screw`. One through
+  /// several poses is given a piece for each step, and one that is told by a function cannot be sent to another rank.
+  void move_along(std::span<const GlobalId> ids, std::span<const RigidMotion> motions);
   void replace(std::span<const GlobalBody> bodies);
+  /// As World::deform, before what else is wanted of the body in the step. Other ranks that have it are sent the mesh.
+  void deform(GlobalId id, std::vector<Vec3> vertices);
   void remove(std::span<const GlobalId> ids);
+
+  /// For the next step, once its bodies have come and gone: of any bodies, wherever they live, by one rank for each
+  /// two. As World::set_rules: it takes the place of an earlier rule for the two, and ends with either body. Whatever
+  /// rank has one of the two knows its rules, so they are for what few bodies need: groups and masks cost nothing.
+  void set_rules(std::span<const GlobalPairRule> rules);
 
   /// Collective. Brings all bodies to where they belong and finds the pairs. Throws Error naming rank and body for what
   /// World throws for, and for an id that is given twice, or is of no body that lives on that rank.
@@ -115,6 +137,17 @@ class DistributedWorld {
   /// Throws Error naming the id when it is of no body that lives here.
   [[nodiscard]] const Body& body(GlobalId id) const;
 
+  /// Collective. Writes all bodies, as they were in the last step, and their rules, a file for each rank and an index
+  /// that is written last, when all are complete. Throws Error on all ranks where the folder is there and not empty,
+  /// where a file cannot be written, and where changes are noted that no step has made.
+  void save(const std::filesystem::path& folder);
+  /// Collective. What `save` wrote, on any number of ranks, with any options: all bodies have come to where they
+  /// belong, and `pairs` are all that there are. So the next step tells what it would have told without the way through
+  /// the folder; of what only met on its way in the last step before, an end is not told. Throws Error on all ranks
+  /// naming a file that is missing, incomplete, damaged or of another version.
+  [[nodiscard]] static DistributedWorld load(MpiCommunicator communicator, const std::filesystem::path& folder,
+                                             const DistributedOptions& options = {});
+
   [[nodiscard]] int rank() const;
   [[nodiscard]] int rank_count() const;
 
@@ -128,6 +161,11 @@ class DistributedWorld {
   [[nodiscard]] std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes, double distance);
   [[nodiscard]] std::vector<std::optional<GlobalAnswer<Distance>>> nearest_each(
       std::span<const SceneInstance> shapes, double max_distance = std::numeric_limits<double>::infinity());
+  /// The k nearest bodies to each shape, by the `distance` of the shape and each of them: the least by (upper, id),
+  /// ascending; fewer where fewer are within the greatest distance, decided exactly.
+  [[nodiscard]] std::vector<std::vector<GlobalAnswer<Distance>>> nearest_bodies_each(
+      std::span<const SceneInstance> shapes, std::size_t k,
+      double max_distance = std::numeric_limits<double>::infinity());
 
  private:
   class State;

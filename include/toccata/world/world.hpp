@@ -10,6 +10,7 @@
 
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/motion/rigid_motion.hpp"
 #include "toccata/query/casts.hpp"
@@ -152,6 +153,10 @@ class World {
 
   /// Finds the pairs of the bodies as they are now.
   const WorldStep& step();
+  /// The same of those pairs alone that are wanted. It is asked of two whose boxes overlap and that no rule leaves out,
+  /// a.index < b.index; where it says no they are not looked at and are no pair in this step. Throws Error in a World
+  /// with space_time, which has to know of all.
+  const WorldStep& step(FunctionRef<bool(BodyId a, BodyId b)> is_wanted);
 
   /// What the last step found.
   [[nodiscard]] const WorldStep& last_step() const;
