@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <cmath>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -50,7 +50,11 @@ std::set<LinkPair> adjacent_links(const Robot& robot) {
 
 /// Between its limits; without any, a whole turn or from −1 to 1.
 double sampled_position(const RobotPosition& position, Random& random) {
-  if (position.limits) return random.between(position.limits->lower, position.limits->upper);
+  if (const std::optional<JointLimits>& limits = position.limits) {
+    if (std::isfinite(limits->upper - limits->lower)) return random.between(limits->lower, limits->upper);
+    const double share = random.between(0, 1);
+    return (1 - share) * limits->lower + share * limits->upper;
+  }
   return position.turns ? random.between(-std::numbers::pi, std::numbers::pi) : random.between(-1, 1);
 }
 

@@ -43,10 +43,19 @@ void PlacedRobot::place(std::span<const double> configuration) {
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     const Robot::Body& body = tree.bodies[i];
     const Pose& link = frames_[tree.frame_of_link[body.link]];
-    boxes_[i] = turned_box(scene_.body_boxes[i], body.pose == Pose{} ? link : link * body.pose);
+    const LocalBox& box = scene_.body_boxes[i];
+    boxes_[i] = scene_.body_is_link[i] != 0 ? turned_box(box, link) : turned_box(box, link * body.pose);
     is_posed_[i] = 0;
     hulls_[i].reset();
   }
+}
+
+bool PlacedRobot::certainly_apart(const RobotBodyPair& pair, double by) const {
+  const TurnedBox &box = boxes_[pair.body], &other = box_of_other(pair);
+  const double radius_of_other = pair.with_part ? scene_.part_radius[pair.other] : scene_.body_radius[pair.other];
+  const double margin = by + (scene_.body_radius[pair.body] + radius_of_other) + (box.slack + other.slack);
+  const Vec3 between = other.centre - box.centre;
+  return dot(between, between) > (1 + 0x1p-40) * margin * margin || toccata::certainly_apart(box, other, by);
 }
 
 std::span<const PosedPart> PlacedRobot::posed(Index number) {
@@ -156,7 +165,7 @@ bool PlacedRobot::meets_at_sight(const RobotBodyPair& pair) {
 
 bool PlacedRobot::body_meets_at_sight(Index body) {
   bool meets = false;
-  scene_.part_tree.visit_overlapping(box_around(boxes_[body]), [&](Index part) {
+  scene_.part_tree.visit_near(boxes_[body], 0, [&](Index part) {
     meets = !scene_.is_allowed(body, part) && meets_at_sight({body, true, part});
     return !meets;
   });
@@ -192,7 +201,7 @@ std::vector<RobotContact> PlacedRobot::contacts(ContactsTold told) {
   for (const SelfPair& self : scene_.self_pairs) add(self.pair);
   for (Index body = 0; body < boxes_.size(); ++body) {
     if (scene_.body_rests[body] != 0) continue;
-    scene_.part_tree.visit_overlapping(box_around(boxes_[body]), [&](Index part) {
+    scene_.part_tree.visit_near(boxes_[body], 0, [&](Index part) {
       if (!scene_.is_allowed(body, part)) add({body, true, part});
       return true;
     });

@@ -26,9 +26,8 @@ class PlacedRobot {
   [[nodiscard]] const TurnedBox& box_of_other(const RobotBodyPair& pair) const {
     return pair.with_part ? scene_.part_boxes[pair.other] : boxes_[pair.other];
   }
-  [[nodiscard]] bool certainly_apart(const RobotBodyPair& pair, double by) const {
-    return toccata::certainly_apart(boxes_[pair.body], box_of_other(pair), by);
-  }
+  /// Proved to be farther apart than this, by balls and by boxes.
+  [[nodiscard]] bool certainly_apart(const RobotBodyPair& pair, double by) const;
 
   /// Proved to be farther apart than the length that is told, by what is convex around the two: tighter than by boxes,
   /// and slower. As long as is wanted or, where that is not found, what was; 0 where nothing is known.

@@ -142,10 +142,11 @@ std::vector<Pose> Robot::link_poses(std::span<const double> configuration) const
   return poses;
 }
 
-std::vector<Pose> Robot::link_poses_each(std::span<const double> configurations, int threads) const {
+std::vector<Pose> Robot::link_poses_each(std::span<const double> configurations, int threads,
+                                         const Progress& progress) const {
   const std::size_t count = configuration_count(*this, configurations), link_count = links().size();
   std::vector<Pose> poses(count * link_count);
-  ask_each(count, "configuration", {.threads = threads}, [&](std::size_t i, Workspace&) {
+  ask_each(count, "configuration", {.threads = threads, .progress = progress}, [&](std::size_t i, Workspace&) {
     const std::vector<Pose> placed = link_poses(configuration_at(*this, configurations, i));
     std::copy(placed.begin(), placed.end(), poses.begin() + static_cast<std::ptrdiff_t>(i * link_count));
     return std::uint8_t{};

@@ -23,7 +23,7 @@ class NearestRobotPair {
   std::optional<RobotDistance> found() {
     for (const SelfPair& self : scene_.self_pairs) look_at(self.pair);
     for (Index body = 0; body < scene_.robot.bodies().size(); ++body)
-      scene_.part_tree.visit_nearest(box_around(placed_.box(body)), limit(), [&](Index part) {
+      scene_.nearest_parts.visit_nearest(box_around(placed_.box(body)), limit(), [&](Index part) {
         if (!scene_.is_allowed(body, part)) look_at({body, true, part});
         return limit();
       });

@@ -185,11 +185,9 @@ class EdgeSearch {
   /// The obstacles that the body comes near to become pairs, unless it goes so far that there would be too many.
   bool open_body(Index body) {
     const double way = ways_[body].back() + rounding_;
-    Aabb around = box_around(placed_.box(body));
-    for (int i = 0; i < 3; ++i) around.lower[i] -= way, around.upper[i] += way;
     const bool goes_far = stretch_length_ > precision_ && way > 2 * scene_.body_radius[body];
     bool meets = false, is_near_any = false;
-    scene_.part_tree.visit_overlapping(around, [&](Index part) {
+    scene_.part_tree.visit_near(placed_.box(body), way, [&](Index part) {
       const OpenPair open{{body, true, part}, nullptr, {}};
       if (scene_.is_allowed(body, part) || placed_.certainly_apart(open.pair, way)) return true;
       is_near_any = true;

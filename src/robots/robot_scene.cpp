@@ -61,12 +61,8 @@ class SceneMaking {
       made_->body_boxes.push_back(box);
       made_->body_hulls.push_back(hull_around(body.model, body.pose));
       made_->body_balls.push_back(inner_balls(body.model, body.pose, body.solid));
-      const TurnedBox turned = turned_box(box, body.pose);
-      double radius = 0;
-      for (const Vec3& edge : turned.edges) radius += dot(edge, edge);
-      // Edges that are not at right angles reach at most √3 times as far.
-      const bool is_rigid = is_right_angled(turned);
-      made_->body_radius.push_back((is_rigid ? 1 + 0x1p-20 : 1.7320509) * std::sqrt(radius) + turned.slack);
+      made_->body_radius.push_back(radius_around(turned_box(box, body.pose)));
+      made_->body_is_link.push_back(body.pose == Pose{} ? 1 : 0);
       std::vector<Index> frames;
       for (Index frame = tree.frame_of_link[body.link]; frame != 0; frame = tree.frames[frame].parent)
         frames.push_back(frame);
@@ -75,14 +71,6 @@ class SceneMaking {
       made_->body_rests.push_back(moves ? 0 : 1);
       made_->body_frames.push_back(std::move(frames));
     }
-  }
-
-  static bool is_right_angled(const TurnedBox& box) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 &x = box.edges[i], &y = box.edges[(i + 1) % 3];
-      if (std::fabs(dot(x, y)) > 0x1p-24 * std::sqrt(dot(x, x) * dot(y, y))) return false;
-    }
-    return true;
   }
 
   void add_parts() {
@@ -99,7 +87,9 @@ class SceneMaking {
     }
     for (const PosedPart& part : made_->parts) add_part_hull(part.shape);
     for (std::size_t i = 0; i < made_->parts.size(); ++i) add_around(i);
-    made_->part_tree = BoxBvh(boxes);
+    made_->nearest_parts = BoxBvh(boxes);
+    made_->part_tree = ObstacleTree(boxes);
+    for (const TurnedBox& box : made_->part_boxes) made_->part_radius.push_back(radius_around(box));
   }
 
   void add_part_hull(const PosedShape& shape) {

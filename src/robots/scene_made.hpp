@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "query/posed_shape.hpp"
+#include "robots/obstacle_tree.hpp"
 #include "robots/robot_tree.hpp"
 #include "robots/turned_box.hpp"
 #include "toccata/bounds/ball.hpp"
@@ -45,6 +46,7 @@ struct RobotScene::Made {
   std::vector<std::vector<Ball>> body_balls;          ///< within solid meshes, in the frame of the link
   std::vector<std::vector<Index>> body_frames;        ///< that it hangs on, from its own to the base
   std::vector<std::uint8_t> body_rests;               ///< no position moves it
+  std::vector<std::uint8_t> body_is_link;             ///< it is where its link is
   std::vector<SelfPair> self_pairs;
 
   std::vector<PosedPart> parts;
@@ -53,7 +55,9 @@ struct RobotScene::Made {
   std::vector<std::shared_ptr<const PosedPolytope>> part_outer;  ///< these at their places
   std::vector<std::vector<Ball>> part_balls;                     ///< within solid meshes
   std::vector<Index> part_obstacle;
-  BoxBvh part_tree;
+  BoxBvh nearest_parts;  ///< by their distance
+  ObstacleTree part_tree;
+  std::vector<double> part_radius;                  ///< around the middles of their boxes
   std::vector<std::uint8_t> allowed_with_obstacle;  ///< [link · obstacles + obstacle]
 
   std::vector<RobotContact> contacts_at_rest;  ///< of bodies that rest with obstacles: always

@@ -39,6 +39,14 @@ double sum_across(const std::array<Vec3, 3>& edges, const Vec3& direction) {
          std::fabs(dot(edges[2], direction));
 }
 
+bool is_right_angled(const TurnedBox& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &x = box.edges[i], &y = box.edges[(i + 1) % 3];
+    if (std::fabs(dot(x, y)) > 0x1p-24 * std::sqrt(dot(x, x) * dot(y, y))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 LocalBox local_box(const Model& model) {
@@ -61,6 +69,13 @@ TurnedBox turned_box(const LocalBox& box, const Pose& pose) {
   }
   turned.slack = size < 0x1p400 ? box_slack * size : infinity;
   return turned;
+}
+
+double radius_around(const TurnedBox& box) {
+  double squared = 0;
+  for (const Vec3& edge : box.edges) squared += dot(edge, edge);
+  // Edges that are not at right angles reach at most √3 times as far.
+  return (is_right_angled(box) ? 1 + 0x1p-20 : 1.7320509) * std::sqrt(squared) + box.slack;
 }
 
 Aabb box_around(const TurnedBox& box) {

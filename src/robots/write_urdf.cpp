@@ -16,7 +16,12 @@ namespace {
 
 std::string urdf_words(std::string_view text) {
   std::string escaped;
-  for (const char c : text) switch (c) {
+  for (const char c : text) {
+    const bool is_blank = c == '\t' || c == '\n' || c == '\r';
+    if (static_cast<unsigned char>(c) < ' ' && !is_blank)
+      throw Error(fmt::format("the name '{}' has the character {}, which XML cannot hold; give it another name",
+                              escaped, static_cast<int>(c)));
+    switch (c) {
       case '&':
         escaped += "&amp;";
         break;
@@ -29,6 +34,7 @@ std::string urdf_words(std::string_view text) {
       default:
         escaped += c;
     }
+  }
   return escaped;
 }
 

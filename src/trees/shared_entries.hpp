@@ -18,6 +18,9 @@ class SharedEntries {
 
   explicit SharedEntries(const WideFrontier& from) : from_(from) {}
 
+  /// How often they can be taken.
+  [[nodiscard]] std::size_t shares() const { return (from_.size + at_once - 1) / at_once; }
+
   /// The next entries, as those of a frontier that has none left; says whether there were any.
   bool take(WideFrontier& to) {
     const std::size_t first = next_.fetch_add(at_once, std::memory_order_relaxed);

@@ -179,6 +179,10 @@ TEST_F(UrdfFile, AWrittenRobotIsReadAgain) {
   RobotDescription cone = planar_robot();
   cone.links[1].shapes = {{Cone(1, 1)}};
   EXPECT_TRUE(tells(message_of([&] { write_urdf(cone, (folder_ / "cone").string()); }), "URDF has no cone"));
+  RobotDescription named = generated_arm({.subdivisions = 0});
+  named.links[0].name = named.joints[0].parent = std::string("ba\0se", 5);
+  EXPECT_TRUE(tells(message_of([&] { write_urdf(named, (folder_ / "named").string()); }), "XML cannot hold"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "named/robot.urdf"));
 }
 
 TEST_F(UrdfFile, SrdfTellsWhichPairsAreDisabled) {

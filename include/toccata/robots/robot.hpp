@@ -143,8 +143,8 @@ class Robot {
 
   /// The same of many configurations, one after the other: link l of the i-th is at [i · links + l]. Throws Error
   /// beginning with "configuration i: ".
-  [[nodiscard]] std::vector<Pose> link_poses_each(std::span<const double> configurations,
-                                                  int threads = all_threads) const;
+  [[nodiscard]] std::vector<Pose> link_poses_each(std::span<const double> configurations, int threads = all_threads,
+                                                  const Progress& progress = {}) const;
 
   /// The bodies where a configuration puts them, with names: what a scene of them is.
   [[nodiscard]] std::vector<SceneInstance> posed(std::span<const double> configuration) const;
