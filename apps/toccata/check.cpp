@@ -319,14 +319,13 @@ Subcommand add_check(CLI::App& app) {
   check->add_flag("--penetration", arguments->penetration,
                   "how deep solids overlap, a way to part them, their regions of contact and (without --poses) their "
                   "points of contact");
-  check
-      ->add_option("--precision", arguments->precision_word,
-                   "how wide the bracket of a depth may be, of --penetration or --tolerance: upper at most 1 + so many "
-                   "times lower (0.1)")
+  add_text(*check, "--precision", arguments->precision_word,
+           "how wide the bracket of a depth may be, of --penetration or --tolerance: upper at most 1 + so many times "
+           "lower (0.1)",
+           "a number must be given")
       ->type_name("NUMBER");
-  check
-      ->add_option("--time-per-depth", arguments->time_per_depth_word,
-                   "seconds for the depth of each pair: then the bracket so far is told (none)")
+  add_text(*check, "--time-per-depth", arguments->time_per_depth_word,
+           "seconds for the depth of each pair: then the bracket so far is told (none)", "seconds must be given")
       ->type_name("SECONDS");
   check->add_flag("--volume", arguments->volume,
                   "how much volume solids have in common, between bounds; whether one passes through the other; and a "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "finding_words.hpp"
 #include "table_names.hpp"
 #include "toccata/query/pairs.hpp"
 #include "toccata/reports/report.hpp"
@@ -25,10 +26,6 @@ std::string near_text(const ReportedPair& pair) {
   const bool is_decided = pair.relation.status == Status::exact;
   return distance_text(*pair.distance) + ", " + nearest_text(*pair.distance) +
          (is_decided ? "" : " (undecided: within 10⁻¹² of its clearance)");
-}
-
-std::string winding_text(const WindingNumber& winding) {
-  return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
 }
 
 std::string verb_of(const FormerPair& pair) {

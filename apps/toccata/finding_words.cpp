@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,12 +21,15 @@ struct Place {
   std::string words;
 };
 
-/// "at (0, 0, 1)"; or between which corners, by how many directions the box has an extent in.
+/// "at (0, 0, 1)"; or between which corners, by how many directions the box has an extent in that shows in their
+/// digits.
 std::string where_text(const Aabb& box) {
   const std::string lower = point_text(box.lower), upper = point_text(box.upper);
-  const Vec3 size = box.upper - box.lower;
-  const int extents = (size.x > 0 ? 1 : 0) + (size.y > 0 ? 1 : 0) + (size.z > 0 ? 1 : 0);
-  if (extents == 0 || lower == upper) return "at " + lower;
+  const std::array<Vec3, 3> sides{{{box.upper.x, box.lower.y, box.lower.z},
+                                   {box.lower.x, box.upper.y, box.lower.z},
+                                   {box.lower.x, box.lower.y, box.upper.z}}};
+  const auto extents = std::ranges::count_if(sides, [&](const Vec3& end) { return point_text(end) != lower; });
+  if (extents == 0) return "at " + lower;
   constexpr std::array<const char*, 3> forms{"on the segment", "within the rectangle", "within the box"};
   return fmt::format("{} from {} to {}", forms[static_cast<std::size_t>(extents - 1)], lower, upper);
 }
@@ -110,7 +114,11 @@ std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
   const bool is_deep = pair.penetration && pair.penetration->upper > 0;
   return fmt::format("{} {} {}{}{} {}", a, verb_of(pair.relation), b,
                      is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end) : "", verdict_text(pair.tolerance),
-                     remark_on(pair.relation));
+                     pair.winding ? winding_text(*pair.winding) : remark_on(pair.relation));
+}
+
+std::string winding_text(const WindingNumber& winding) {
+  return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
 }
 
 std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline) {

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "toccata/core/error.hpp"
@@ -105,6 +106,10 @@ std::vector<std::string> files_of_word(const std::string& word) {
   return {word};
 }
 
+/// By the extensions of files that are read so.
+constexpr std::array<std::string_view, 12> formats_of_input{"obj", "stl",  "ply", "off", "gltf", "glb",
+                                                            "3mf", "step", "stp", "p21", "ifc",  "json"};
+
 void require_sense_of_standard_input(const InputArguments& input, const std::vector<std::string>& files) {
   const auto uses = std::count(files.begin(), files.end(), standard_input) + (input.names == standard_input ? 1 : 0);
   const bool holds_a_file = std::find(files.begin(), files.end(), standard_input) != files.end();
@@ -112,6 +117,8 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
   if (holds_a_file && input.format.empty())
     throw Error(fmt::format("- is standard input, which has no name that tells its format: add --format, {}",
                             readable_formats()));
+  if (!input.format.empty() && std::ranges::find(formats_of_input, input.format) == formats_of_input.end())
+    throw Error(fmt::format("--format: '{}' is none that is read; there are {}", input.format, readable_formats()));
   if (!holds_a_file && !input.format.empty())
     throw Error("--format is of standard input, and no file is -: the others' names tell theirs");
 }

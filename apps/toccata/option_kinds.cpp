@@ -25,10 +25,12 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   add_length(app, "--tessellation", input.tessellation,
              "how near the triangles of curved faces of STEP and IFC files are to be to them (0.1mm, 1mm)");
   app.add_flag("--split", input.split, "the objects and groups of OBJ files and the solids of STL files, each alone");
-  app.add_option("--unit", input.unit,
-                 "unit of the numbers in files that state none: mm, cm, m, km, in, ft, or metres per unit; the world, "
-                 "with it the t of "
-                 "given poses and all printed points, is then in metres, and a clearance without a unit in this one");
+  add_text(app, "--unit", input.unit,
+           "unit of the numbers in files that state none: mm, cm, m, km, in, ft, or metres per unit; the world, "
+           "with it the t of "
+           "given poses and all printed points, is then in metres, and a clearance without a unit in this one",
+           "a unit must be given")
+      ->type_name("TEXT");
   app.add_option("--scale", input.scale, "multiply all coordinates of the files by this")->check(number_above_0());
   add_file(app, "--cache", input.cache,
            "keep the trees of large meshes in this folder, and take from it those that an earlier run built "

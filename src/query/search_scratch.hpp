@@ -24,6 +24,8 @@
 
 namespace toccata {
 
+class WholeBodies;
+
 /// What one thread of a search works with.
 struct SearchPart {
   WideFrontier frontier;
@@ -98,6 +100,7 @@ struct SearchScratch {
   std::vector<SurfacePoint> inner_points;    ///< the same of one part, from within
   NearestCandidates::Memory near_elements;
   std::array<NearTriangles::Memory, points_abreast> near_triangles;
+  std::shared_ptr<WholeBodies> whole_bodies;  ///< of the solids whose depth was asked
 };
 
 }  // namespace toccata

@@ -73,12 +73,31 @@ class UrdfdomComplaints : public console_bridge::OutputHandler {
   std::string first_;
 };
 
+/// With a mark of the order of its bytes, or one of the first two is 0, as of "<" in it.
+bool is_utf_16(std::string_view text) {
+  if (text.size() < 2) return false;
+  const bool is_marked = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  return is_marked || text[0] == '\0' || text[1] == '\0';
+}
+
+/// Where a comment begins that does not end; else npos.
+std::size_t open_comment(std::string_view text) {
+  for (std::size_t at = text.find("<!--"); at != std::string_view::npos; at = text.find("<!--", at)) {
+    const std::size_t end = text.find("-->", at + 4);
+    if (end == std::string_view::npos) return at;
+    at = end;
+  }
+  return std::string::npos;
+}
+
 /// An XML file of a robot: URDF or SRDF.
 class RobotXml {
  public:
   explicit RobotXml(const std::string& path) : path_(path) {
     const io::FileBytes bytes = io::read_file(path);
     text_.assign(bytes.span().begin(), bytes.span().end());
+    if (is_utf_16(text_))
+      throw Error(path + ": it is written in UTF-16, and UTF-8 is read; convert it (iconv -f UTF-16 -t UTF-8)");
     document_.Parse(text_.c_str());
     if (document_.Error()) throw Error(path + fault_of_xml());
     const TiXmlElement* root = document_.RootElement();
@@ -129,6 +148,9 @@ class RobotXml {
     if (document_.ErrorId() == TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY) return ": this is no XML: no element is in it";
     if (document_.ErrorRow() > 0)
       return fmt::format(":{}: this is no XML: {}", document_.ErrorRow(), document_.ErrorDesc());
+    if (const std::size_t at = open_comment(text_); at != std::string::npos)
+      return fmt::format(":{}: the comment that begins here is not closed by -->",
+                         1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
     const auto lines = 1 + std::count(text_.begin(), text_.end(), '\n') - (text_.ends_with('\n') ? 1 : 0);
     return fmt::format(":{}: the XML ends here, and an element is still open; export it again", lines);
   }

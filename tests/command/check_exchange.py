@@ -152,12 +152,36 @@ def check_places(folder):
         "the surfaces meet within the rectangle from (-0.9, 1, -1) to (-0.1, 1, 1)",
         "the nearest points are (-0.9, -1, -1) and (-0.9, -1.125, -1)"], places(meshes, "--clearance", "0.2")
     assert places(meshes, "--penetration")[1].startswith("the surfaces meet within the rectangle")
+    # What is as thin as rounding makes it is a rectangle, as its digits are.
+    large = '"generate": "box", "parameters": {"half-x": 1, "half-y": 1, "half-z": 1}'
+    thin = """{"format": "toccata-scene", "version": 1, "unit": "mm", "objects": [{"name": "a", BOX},
+      {"name": "b", BOX, "pose": {"translation": [0.5, 0, 1.9999999999999996]}}]}""".replace("BOX", large)
+    assert places(thin) == ["the surfaces meet within the rectangle from (-0.5, -1, 1) to (1, 1, 1)"], places(thin)
     edge = ("b", [1, 1, 1], [2, 2, 0])
     assert places(scene_of(a, edge), "--penetration") == ["they are in contact on the segment from (1, 1, -1) to (1, 1, 1)"]
     corner = ("b", [1, 1, 1], [2, 2, 2])
     assert places(scene_of(a, corner), "--penetration") == ["they are in contact at (1, 1, 1)"]
     assert places(scene_of(a, ("b", [0.5, 0.5, 0.5], [0, 0, 0]))) == ["the one inside lies within the box from (-0.5, -0.5, -0.5) to (0.5, 0.5, 0.5)"]
     assert places(scene_of(a, ("b", [1, 1, 1], [1.5, 0.25, 0])), "--tolerance", "0.1") == ["the deepest points are (1, 0.125, 0) and (0.5, 0.125, 0)"]
+
+
+OPEN_BOX = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nf 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+SCREW = "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.4 0.6 0.4\nv 0.4 0.4 0.6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+
+
+def check_by_winding(folder):
+    """What a winding number decides is told as such, in all three."""
+    (folder / "open.obj").write_text(OPEN_BOX)
+    (folder / "screw.obj").write_text(SCREW)
+    run(folder, "open.obj", "screw.obj", "--solid", "by-winding", "--junit", "w.xml", "--sarif", "w.sarif", "--bcf", "w.bcf", code=1)
+    words = "open contains screw (the mesh around it is open: by its generalised winding number, 0."
+    [case] = ElementTree.parse(folder / "w.xml").getroot().findall("testsuite/testcase")
+    assert case.find("failure").get("message").startswith(words) and case.find("failure").get("type") == "undecided", case.find("failure").attrib
+    [result] = json.loads((folder / "w.sarif").read_text())["runs"][0]["results"]
+    assert result["message"]["text"].startswith(words) and result["properties"]["winding"]["lower"] > 0.5, result
+    with zipfile.ZipFile(folder / "w.bcf") as bcf:
+        [topic] = [ElementTree.fromstring(bcf.read(name)).find("Topic") for name in bcf.namelist() if name.endswith("markup.bcf")]
+    assert topic.find("Title").text.startswith(words), topic.find("Title").text
 
 
 def check_refusals(folder):
@@ -201,7 +225,7 @@ def main():
         before = [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")]
         run(folder, *words, "--threads", "1", code=1)
         assert before == [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")], "not the same twice"
-        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_tolerance, check_places, check_refusals):
+        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_tolerance, check_places, check_by_winding, check_refusals):
             check(folder)
 
 

@@ -92,6 +92,21 @@ TEST_F(CheckFiles, StandardInputHasAFormat) {
   EXPECT_NE(trouble({"-", "two.obj"}).find("add --format"), std::string::npos);
   EXPECT_NE(trouble({"-", "-", "--format", "obj"}).find("once"), std::string::npos);
   EXPECT_NE(trouble({"two.obj", "--format", "obj"}).find("no file is -"), std::string::npos);
+  const std::string unknown = trouble({"-", "two.obj", "--format", "xyz"});
+  EXPECT_NE(unknown.find("--format: 'xyz' is none that is read; there are obj, stl, ply, off"), std::string::npos)
+      << unknown;
+}
+
+TEST_F(CheckFiles, StandardInputThatAnotherProgramReadsIsNamedSo) {
+  folder.write("bad.step", "ISO-10303-21;");
+  for (const char* format : {"step", "stp", "ifc"}) {
+    const std::string words = std::string(" check - two.obj --format ") + format + " < bad.step > out 2> err";
+    const int code = std::system(("cd '" + folder.path().string() + "' && " + test::command_file() + words).c_str());
+    EXPECT_EQ(code / 256, 2);
+    const std::string said = test::text_of(folder.path() / "err");
+    EXPECT_EQ(said.rfind("toccata: error: standard input: ", 0), 0U) << said;
+    EXPECT_EQ(said.find("/input."), std::string::npos) << "the temporary file is told: " << said;
+  }
 }
 
 TEST_F(CheckFiles, HelpAndErrorsNameEveryFormat) {

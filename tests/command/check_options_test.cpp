@@ -174,5 +174,18 @@ TEST_F(CheckOptionsTogether, WhatIsGivenTwiceIsTroubleUnlessItMayBeRepeated) {
   }
 }
 
+TEST(CheckOptions, AnEmptyWordIsToldByItsOption) {
+  const test::TemporaryFolder folder;
+  for (const auto& [option, missing] :
+       {std::pair("--precision", "a number must be given"), std::pair("--time-per-depth", "seconds must be given"),
+        std::pair("--unit", "a unit must be given"), std::pair("--tolerance", "a length must be given")}) {
+    const auto result =
+        test::run_command({"check", "gen:box", "gen:torus", "--penetration", option, ""}, folder.path());
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(std::string(option) + ": " + missing), std::string::npos) << result.err;
+  }
+}
+
 }  // namespace
 }  // namespace toccata

@@ -53,6 +53,9 @@ def check_step(folder):
     writer = FOLDER.parent / "formats/toccata_write_step"
     subprocess.run([writer, folder / "machine.step"], check=True, capture_output=True)
     machine = report(folder, "check", "machine.step")
+    piped = subprocess.run([COMMAND, "check", "-", "--format", "step", "--json"], cwd=folder, input=(folder / "machine.step").read_bytes(), capture_output=True)
+    from_pipe = json.loads(piped.stdout)
+    assert from_pipe["pairs"] == machine["pairs"] and {one["source"] for one in from_pipe["objects"]} == {"standard input"}, from_pipe
     assert machine["unit"] == "mm"
     assert [one["name"] for one in machine["objects"]] == [f"{arm}/{part}" for arm in ("front", "back") for part in ("plate", "left pin", "right pin")]
     assert all(one["closed"] and one["solid"] for one in machine["objects"]), "meshes of neighbouring faces do not meet"

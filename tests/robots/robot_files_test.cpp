@@ -218,9 +218,17 @@ TEST_F(UrdfFile, FaultsOfTheXmlAreToldByTheirLine) {
   EXPECT_TRUE(tells(fault("hello\n"), "robot.urdf: this is no XML: no element is in it"));
   EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</robot"),
                     "robot.urdf:3: the XML ends here, and an element is still open"));
-  EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"><!--\n</link></robot>\n"),
-                    "robot.urdf:3: the XML ends here, and an element is still open"));
+  EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"><!-- c --><!--\n</link></robot>\n"),
+                    "robot.urdf:2: the comment that begins here is not closed by -->"));
   EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</link>\n"), "robot.urdf:3: this is no XML"));
+}
+
+TEST_F(UrdfFile, OneInUtf16IsToldAsSuch) {
+  std::string wide;
+  for (const char c : std::string("<robot name=\"a\"/>")) wide += {c, '\0'};
+  for (const std::string& text : {wide, "\xff\xfe" + wide, "\xfe\xff" + std::string(1, '\0') + wide})
+    EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read(text)); }),
+                      "robot.urdf: it is written in UTF-16, and UTF-8 is read; convert it"));
 }
 
 TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Measures how long pages of `view` take from their address to a picture of what is on them.
 
-usage: measure_drawing.py TOCCATA [--page two|million] [--mesh MESH] [--size 1200x800] [--runs N] [--json]
+usage: measure_drawing.py TOCCATA [--page two|million|clashes] [--mesh MESH] [--size 1200x800] [--runs N] [--json]
 
 Each run is a fresh Chromium without a window and without a graphics card. The clock starts when it is told the address
-of the page, and stops when it has handed over the picture; that both objects are seen in it is then checked. Exits with
-1 where they are not, 2 for trouble.
+of the page, and stops when it has handed over the picture of all triangles; a page of very many shows fewer first. That
+both objects are seen in it is then checked. Exits with 1 where they are not, 2 for trouble.
 """
 import argparse
 import base64
@@ -17,14 +17,19 @@ import subprocess
 import sys
 import tempfile
 import time
+import types
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent.parent / "apps/bench")]
 from browser import Browser, find_chromium, rows_of  # noqa: E402
+from measure_clashes import write_meshes  # noqa: E402
 from pixels import is_blue, is_orange, share  # noqa: E402
 
 MESH = "gen:uv-sphere?around=264&along=133"  # of 69,696 triangles, the bunny has 69,451
 MILLION = "gen:uv-sphere?around=1000&along=501"
+RACK = types.SimpleNamespace(layers=25, pipes=20, around=12, along=80)  # 500 pipes, 9,600 clashes
 DRAWN = "window.toccata && toccata.stage.drawn > 0"
+WHOLE = "toccata.stage.isWhole"
 LEAST_SHARE = 0.005  # of the picture, for each of the two colours
 
 
@@ -55,7 +60,9 @@ def opened_once(page, size):
         browser.call("Page.navigate", url=f"file://{page}#theme=light")
         while not browser.value(DRAWN):
             time.sleep(0.01)
-        drawn = time.monotonic() - started
+        drawn, of_first = time.monotonic() - started, processor_seconds(browser.process.pid) - before
+        while not browser.value(WHOLE):
+            time.sleep(0.01)
         picture = browser.call("Page.captureScreenshot", format="png")["data"]
         wall = time.monotonic() - started
         processor = processor_seconds(browser.process.pid) - before
@@ -65,7 +72,7 @@ def opened_once(page, size):
     rows = rows_of(base64.b64decode(picture))
     if (len(rows[0]), len(rows)) != size:
         raise RuntimeError(f"{page.name}: the picture is of {len(rows[0])}x{len(rows)} points")
-    return {"drawn_s": drawn, "picture_s": wall, "processor_s": processor, "blue": share(rows, is_blue), "orange": share(rows, is_orange)}
+    return {"drawn_s": drawn, "first_processor_s": of_first, "picture_s": wall, "processor_s": processor, "blue": share(rows, is_blue), "orange": share(rows, is_orange)}
 
 
 def width_of(command, mesh):
@@ -86,10 +93,23 @@ def write_page(command, name, first, second, shift, folder):
                   "megabytes": page.stat().st_size / 1e6}
 
 
+def write_clashes(command, folder):
+    """Of a rack of pipes, with all that is told of clashes."""
+    rack, page = folder / "rack", folder / "clashes.html"
+    rack.mkdir()
+    write_meshes(rack, RACK)
+    report = subprocess.run([command, "check", str(rack), "--penetration", "--volume", "--json", "--html", str(page)], capture_output=True, text=True)
+    if report.returncode == 2:
+        raise RuntimeError(report.stderr)
+    found = json.loads(report.stdout)
+    return page, {"triangles": sum(one["triangles"] for one in found["objects"]), "face_pairs": sum(region["face_pairs"] for pair in found["pairs"] for region in pair["regions"]),
+                  "megabytes": page.stat().st_size / 1e6}
+
+
 def measured(command, name, meshes, shift, arguments, folder):
-    page, what = write_page(command, name, *meshes, shift, folder)
+    page, what = write_page(command, name, *meshes, shift, folder) if meshes else write_clashes(command, folder)
     runs = [opened_once(page, arguments.size) for _ in range(arguments.runs)]
-    median = {key: statistics.median(run[key] for run in runs) for key in ["drawn_s", "picture_s", "processor_s"]}
+    median = {key: statistics.median(run[key] for run in runs) for key in ["drawn_s", "first_processor_s", "picture_s", "processor_s"]}
     shown = all(min(run["blue"], run["orange"]) >= LEAST_SHARE for run in runs)
     return {"page": name, **what, **median, "least_s": min(run["picture_s"] for run in runs), "most_s": max(run["picture_s"] for run in runs), "both_seen": shown}
 
@@ -104,7 +124,7 @@ def size_of(text):
 def arguments_of(words):
     parser = argparse.ArgumentParser(prog="toccata bench drawing", description="How long pages of view take to a picture of what is on them.")
     parser.add_argument("command", help=argparse.SUPPRESS)
-    parser.add_argument("--page", choices=["two", "million"], help="this one alone: the mesh twice, or a mesh of a million triangles with a small one")
+    parser.add_argument("--page", choices=["two", "million", "clashes"], help="this one alone: the mesh twice, a mesh of a million triangles with a small one, or 500 pipes with 9,600 clashes")
     parser.add_argument("--mesh", default=MESH, help="a file or gen:NAME; the page shows it twice, the second one moved by a half of its width (%(default)s)")
     parser.add_argument("--size", type=size_of, default=(1200, 800), help="of the picture (1200x800)")
     parser.add_argument("--runs", type=int, default=5, help="of each page, whose median is told (%(default)s)")
@@ -117,7 +137,7 @@ def arguments_of(words):
 
 def row_of(result):
     seen = "" if result["both_seen"] else "  NOT BOTH ARE SEEN"
-    return (f"{result['page']:<10}{result['triangles']:>11,}{result['face_pairs']:>12,}{result['megabytes']:>8.2f}{result['drawn_s']:>10.2f}"
+    return (f"{result['page']:<10}{result['triangles']:>11,}{result['face_pairs']:>12,}{result['megabytes']:>8.2f}{result['drawn_s']:>10.2f}{result['first_processor_s']:>13.2f}"
             f"{result['picture_s']:>11.2f}{result['least_s']:>8.2f}{result['most_s']:>8.2f}{result['processor_s']:>13.2f}{seen}")
 
 
@@ -129,13 +149,14 @@ def main():
     command = str(pathlib.Path(arguments.command).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        meshes = {"two": ((arguments.mesh, arguments.mesh), 0.5 * width_of(command, arguments.mesh)), "million": ((MILLION, "gen:torus"), 1.0)}
-        results = [measured(command, page, *meshes[page], arguments, folder) for page in meshes if arguments.page in (None, page)]
+        meshes = {"two": ((arguments.mesh, arguments.mesh), 0.5 * width_of(command, arguments.mesh)), "million": ((MILLION, "gen:torus"), 1.0), "clashes": (None, 0)}
+        wanted = [arguments.page] if arguments.page else ["two", "million"]
+        results = [measured(command, page, *meshes[page], arguments, folder) for page in wanted]
     if arguments.json:
         print(json.dumps({"schema": "toccata/bench/drawing/1", "mesh": arguments.mesh, "size": arguments.size, "runs": arguments.runs, "pages": results}, indent=1))
     else:
         print(f"{arguments.size[0]}x{arguments.size[1]}, median of {arguments.runs}, a fresh Chromium each, seconds")
-        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'picture':>11}{'least':>8}{'most':>8}{'processor':>13}")
+        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'processor':>13}{'picture':>11}{'least':>8}{'most':>8}{'processor':>13}")
         print("\n".join(map(row_of, results)))
     return 0 if all(result["both_seen"] for result in results) else 1
 

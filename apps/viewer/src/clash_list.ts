@@ -62,15 +62,23 @@ export class ClashList {
 
   /// The part that most of them are of, then of those that are left that which most are of, …
   private byPart(order: number[]): Map<string, number[]> {
+    const membersOf = new Map<number, number[]>();
+    for (const i of order)
+      for (const part of partsOf(this.findings[i])) {
+        const members = membersOf.get(part);
+        if (members) members.push(i);
+        else membersOf.set(part, [i]);
+      }
+    const counts = new Map([...membersOf].map(([part, members]) => [part, members.length]));
+    const left = new Set(order);
     const groups = new Map<string, number[]>();
-    let left = order;
-    while (left.length > 0) {
-      const counts = new Map<number, number>();
-      for (const i of left) for (const part of partsOf(this.findings[i])) counts.set(part, (counts.get(part) ?? 0) + 1);
-      const [most] = [...counts].sort((x, y) => y[1] - x[1] || x[0] - y[0])[0] ?? [undefined];
-      if (most === undefined) return groups.set('', left);
-      groups.set(this.nameOf(most), left.filter((i) => partsOf(this.findings[i]).includes(most)));
-      left = left.filter((i) => !partsOf(this.findings[i]).includes(most));
+    while (left.size > 0) {
+      let [most, count] = [-1, 0];
+      for (const [part, members] of counts) if (members > count || (members === count && part < most)) [most, count] = [part, members];
+      if (count === 0) return groups.set('', [...left]);
+      const members = membersOf.get(most)!.filter((i) => left.delete(i));
+      for (const i of members) for (const part of partsOf(this.findings[i])) counts.set(part, counts.get(part)! - 1);
+      groups.set(this.nameOf(most), members);
     }
     return groups;
   }

@@ -1,5 +1,6 @@
 // How objects are drawn: copies of one mesh, or many small ones joined.
-import { BufferAttribute, BufferGeometry, Color, InstancedMesh, Matrix3, Matrix4, Mesh, Vector3, type Intersection, type Material, type Object3D } from 'three';
+import { BufferAttribute, BufferGeometry, Color, InstancedMesh, Matrix3, Matrix4, Mesh, Sphere, Vector3, type Intersection, type Material, type Object3D } from 'three';
+import { coarseOf } from './coarse';
 
 export interface Member {
   object: number;
@@ -13,18 +14,33 @@ export interface Drawing {
   fill(isDrawn: (object: number) => boolean, colourOf: (object: number) => number): void;
   objectAt(hit: Intersection): number;
   prepareRays(): void;
+  readonly triangles: number; // of all objects
+  setCoarse(share: number | undefined): void; // about so much of the triangles; undefined: all
+}
+
+const trianglesOf = (geometry: BufferGeometry) => (geometry.getIndex()?.count ?? 0) / 3;
+
+const fewest = 24; // triangles, below which a mesh stays what it is
+
+/// The mesh itself, where it has few triangles or most of them are wanted.
+function withShare(geometry: BufferGeometry, share: number): BufferGeometry {
+  const wanted = Math.max(fewest, share * trianglesOf(geometry));
+  return 2 * wanted >= trianglesOf(geometry) ? geometry : coarseOf(geometry, wanted);
 }
 
 /// Copies of one mesh, which the graphics card places.
 export class Copies implements Drawing {
   readonly drawn: InstancedMesh;
   private listed: number[] = [];
+  private readonly whole: BufferGeometry;
+  private coarse: BufferGeometry | undefined; // made when it is first drawn
 
   constructor(
     private readonly members: Member[],
     material: Material,
   ) {
-    this.drawn = new InstancedMesh(members[0].geometry, material, members.length);
+    this.whole = members[0].geometry;
+    this.drawn = new InstancedMesh(this.whole, material, members.length);
     this.drawn.setColorAt(0, new Color());
     this.drawn.frustumCulled = false;
   }
@@ -48,18 +64,28 @@ export class Copies implements Drawing {
     return this.listed[hit.instanceId ?? 0];
   }
 
+  get triangles(): number {
+    return this.members.length * trianglesOf(this.whole);
+  }
+
+  setCoarse(share: number | undefined): void {
+    this.drawn.geometry = share === undefined ? this.whole : (this.coarse ??= withShare(this.whole, share));
+  }
+
   prepareRays(): void {
+    this.setCoarse(undefined);
     this.drawn.computeBoundingSphere();
   }
 }
 
-/// The vertices of many small objects at their places, once for what is shown and what is a ghost. A card that is a
+/// The vertices of many objects at their places, once for what is shown and what is a ghost. A card that is a
 /// program draws copies one after the other, and thousands of them take seconds; this it draws at once.
 export class Crowd {
   readonly positions: BufferAttribute;
   readonly normals: BufferAttribute | undefined;
   readonly colours: BufferAttribute;
   readonly firstOf = new Map<number, number>();
+  private readonly coarser = new Map<BufferGeometry, BufferGeometry>();
 
   constructor(readonly members: Member[], smooth: boolean) {
     let vertices = 0;
@@ -82,6 +108,13 @@ export class Crowd {
     if (this.normals) this.normals.needsUpdate = true;
   }
 
+  /// With about so much of its triangles: made once.
+  coarse(geometry: BufferGeometry, share: number): BufferGeometry {
+    const found = this.coarser.get(geometry) ?? withShare(geometry, share);
+    this.coarser.set(geometry, found);
+    return found;
+  }
+
   private place({ object, geometry, matrix }: Member): void {
     const [position, normal] = [geometry.getAttribute('position'), geometry.getAttribute('normal')];
     const first = this.firstOf.get(object)!;
@@ -94,55 +127,88 @@ export class Crowd {
   }
 }
 
+/// What is drawn of the members that are listed: all of their triangles, or fewer.
+interface Joined {
+  geometry: BufferGeometry;
+  ends: number[]; // of the triangles of each object that is drawn
+  isFilled: boolean;
+}
+
 export class CrowdPart implements Drawing {
   readonly drawn: Mesh;
-  private ends: number[] = []; // of the triangles of each object that is drawn
-  private listed: number[] = [];
+  private listed: Member[] = [];
+  private readonly joined: Record<'whole' | 'coarse', Joined>;
+  private share: number | undefined; // of the triangles that are drawn
 
   constructor(
     private readonly crowd: Crowd,
     material: Material,
   ) {
-    const geometry = new BufferGeometry().setAttribute('position', crowd.positions).setAttribute('color', crowd.colours);
-    if (crowd.normals) geometry.setAttribute('normal', crowd.normals);
+    const empty = () => {
+      const geometry = new BufferGeometry().setAttribute('position', crowd.positions).setAttribute('color', crowd.colours);
+      if (crowd.normals) geometry.setAttribute('normal', crowd.normals);
+      geometry.boundingSphere = new Sphere(); // nothing asks for it but rays, and three.js would look at all corners
+      return { geometry, ends: [], isFilled: false };
+    };
+    this.joined = { whole: empty(), coarse: empty() };
     material.vertexColors = true;
-    this.drawn = new Mesh(geometry, material);
+    this.drawn = new Mesh(this.joined.whole.geometry, material);
     this.drawn.frustumCulled = false;
   }
 
   fill(isDrawn: (object: number) => boolean, colourOf: (object: number) => number): void {
-    const shown = this.crowd.members.filter(({ object }) => isDrawn(object));
-    const index = new Uint32Array(shown.reduce((sum, { geometry }) => sum + geometry.getIndex()!.count, 0));
-    this.listed = shown.map(({ object }) => object);
-    this.ends = [];
-    let at = 0;
-    for (const { object, geometry } of shown) {
-      const first = this.crowd.firstOf.get(object)!;
-      for (const corner of geometry.getIndex()!.array) index[at++] = first + corner;
-      this.ends.push(at / 3);
-      this.paint(first, geometry.getAttribute('position').count, new Color(colourOf(object)));
-    }
-    this.drawn.geometry.setIndex(new BufferAttribute(index, 1));
-    this.drawn.visible = index.length > 0;
+    this.listed = this.crowd.members.filter(({ object }) => isDrawn(object));
+    for (const { object, geometry } of this.listed)
+      this.paint(this.crowd.firstOf.get(object)!, geometry.getAttribute('position').count, new Color(colourOf(object)));
     this.crowd.colours.needsUpdate = true;
+    this.drawn.visible = this.listed.length > 0;
+    this.joined.whole.isFilled = this.joined.coarse.isFilled = false;
+    this.setCoarse(this.share);
+  }
+
+  get triangles(): number {
+    return this.crowd.members.reduce((sum, { geometry }) => sum + trianglesOf(geometry), 0);
+  }
+
+  setCoarse(share: number | undefined): void {
+    this.share = share;
+    const joined = this.joined[share === undefined ? 'whole' : 'coarse'];
+    this.drawn.geometry = joined.geometry;
+    if (joined.isFilled) return;
+    const indices = this.listed.map(({ object, geometry }) => ({
+      first: this.crowd.firstOf.get(object)!,
+      corners: (share === undefined ? geometry : this.crowd.coarse(geometry, share)).getIndex()!.array,
+    }));
+    const index = new Uint32Array(indices.reduce((sum, { corners }) => sum + corners.length, 0));
+    joined.ends = [];
+    let at = 0;
+    for (const { first, corners } of indices) {
+      for (let i = 0; i < corners.length; ++i) index[at++] = first + corners[i];
+      joined.ends.push(at / 3);
+    }
+    joined.geometry.setIndex(new BufferAttribute(index, 1));
+    joined.isFilled = true;
   }
 
   private paint(first: number, count: number, colour: Color): void {
-    for (let i = first; i < first + count; ++i) colour.toArray(this.crowd.colours.array, 3 * i);
+    const { array } = this.crowd.colours;
+    for (let at = 3 * first; at < 3 * (first + count); at += 3) colour.toArray(array, at);
   }
 
   objectAt(hit: Intersection): number {
     const triangle = hit.faceIndex ?? 0;
-    let [low, high] = [0, this.ends.length - 1];
+    const { ends } = this.joined.whole;
+    let [low, high] = [0, ends.length - 1];
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.ends[middle] <= triangle) low = middle + 1;
+      if (ends[middle] <= triangle) low = middle + 1;
       else high = middle;
     }
-    return this.listed[low];
+    return this.listed[low].object;
   }
 
   prepareRays(): void {
+    this.setCoarse(undefined);
     this.drawn.geometry.computeBoundingSphere();
   }
 }

@@ -360,7 +360,23 @@ export class PageData {
     readonly header: Header,
     readonly report: Report,
     private readonly bytes: Uint8Array,
-  ) {}
+  ) {
+    for (const layer of header.layers) {
+      if (layer.finding === undefined) continue;
+      this.found.push(layer);
+      const ofIt = this.byFinding.get(layer.finding);
+      if (ofIt) ofIt.push(layer);
+      else this.byFinding.set(layer.finding, [layer]);
+    }
+  }
+
+  private readonly byFinding = new Map<number, Layer[]>();
+  readonly found: Layer[] = []; // of all findings
+
+  /// What is drawn while this finding is chosen.
+  layersOf(finding: number | undefined): Layer[] {
+    return (finding === undefined ? undefined : this.byFinding.get(finding)) ?? [];
+  }
 
   static read(): PageData {
     const header = parsedVisibly(textOf('toccata-header')) as Header;
@@ -390,8 +406,18 @@ function textOf(id: string): string {
 }
 
 function bytesOf(base64: string): Uint8Array {
+  const { fromBase64 } = Uint8Array as { fromBase64?: (text: string) => Uint8Array };
+  if (fromBase64) return padded(fromBase64.call(Uint8Array, base64));
   const characters = atob(base64);
   const bytes = new Uint8Array(Math.ceil(characters.length / 4) * 4);
   for (let i = 0; i < characters.length; ++i) bytes[i] = characters.charCodeAt(i);
   return bytes;
+}
+
+/// To whole numbers of four bytes, at the beginning of a buffer.
+function padded(bytes: Uint8Array): Uint8Array {
+  if (bytes.byteOffset === 0 && bytes.buffer.byteLength % 4 === 0) return bytes;
+  const whole = new Uint8Array(Math.ceil(bytes.length / 4) * 4);
+  whole.set(bytes);
+  return whole;
 }

@@ -5,7 +5,7 @@ import type { Viewer } from './viewer';
 /// The canvas with the words over it.
 function paint(viewer: Viewer): HTMLCanvasElement {
   const { stage } = viewer;
-  stage.drawNow(); // what is drawn is only kept until the browser shows it
+  stage.drawAll(); // what is drawn is only kept until the browser shows it
   const picture = document.createElement('canvas');
   picture.width = stage.canvas.width;
   picture.height = stage.canvas.height;

@@ -136,6 +136,18 @@ function ofGone(pair: GonePair, report: Report): Finding {
   };
 }
 
+/// What stands below the sentence: of ten thousand pairs it is put together for the one that is chosen.
+function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
+  const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
+  if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
+  facts.push(...volumeFacts(pair, unit));
+  if (pair.tolerance) facts.push([toleranceWords[pair.tolerance]]);
+  if (pair.baseline) facts.push([`since the baseline: ${pair.baseline}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
+  if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, unit));
+  if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
+  return facts;
+}
+
 /// `check`.
 function ofPairs({ header, report }: PageData): Findings {
   const methods = new Methods(header);
@@ -147,18 +159,13 @@ function ofPairs({ header, report }: PageData): Findings {
     const faces = facesText(header, report, pair, i);
     const near = pair.relation === 'apart';
     const number = numberOf(report.unit, pair.distance, pair.penetration) || faces;
-    const facts = [...distanceFacts(pair.distance, report.unit), ...depthFacts(pair.penetration, report.unit)];
-    if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
-    facts.push(...volumeFacts(pair, report.unit));
-    if (pair.tolerance) facts.push([toleranceWords[pair.tolerance]]);
-    if (pair.baseline) facts.push([`since the baseline: ${pair.baseline}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
-    if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, report.unit));
-    if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
     return {
       row: [{ object: a }, ' – ', { object: b }],
       what: together(pair.baseline && pair.baseline !== 'known' ? pair.baseline : '', number ? together(near ? 'near' : verb, number) : verb, pair.tolerance === 'within' ? 'within tolerance' : ''),
       sentence: [{ object: a }, ` ${verb} `, { object: b }, ` ${remark}.`],
-      facts: [...facts, ...methods.facts(i, pair.status, pair.penetration, pair.distance)],
+      get facts() {
+        return [...pairFacts(pair, faces, report.unit), ...methods.facts(i, pair.status, pair.penetration, pair.distance)];
+      },
       a, b, outer: outerOf(pair.containment, a, b), counts: !near && pair.tolerance !== 'within',
       place, regions: boxesOf(pair.regions), kind: kindOf(pair), since: pair.baseline, subdued: pair.tolerance === 'within',
       depth: depthOf(pair.penetration), gap: near ? (pair.distance?.upper ?? Infinity) : 0, size: header.words[i].face_pairs ?? 0,

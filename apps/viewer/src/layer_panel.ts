@@ -2,7 +2,7 @@
 import type { Layer, PageData } from './data';
 import { bodyColours, themes } from './colours';
 import type { Findings } from './findings';
-import { roleColour } from './layers';
+import { areManyCurves, roleColour } from './layers';
 import { colourOfClass } from './moving';
 import { element, make } from './panels';
 import type { State } from './state';
@@ -42,10 +42,10 @@ export class LayerPanel {
     if (panel.contains(document.activeElement) && panel.dataset.finding === String(finding)) return;
     panel.dataset.finding = String(finding);
     const { layers } = this.data.header;
-    const isShown = (layer: Layer) => (finding === undefined ? this.findings.shown.includes(layer.role) : layer.finding === finding);
-    const shown = layers.filter((layer) => (layer.finding === undefined ? !layer.steps && !layer.moments : isShown(layer)));
-    const roles = [...new Set(shown.map((layer) => layer.role))];
-    panel.replaceChildren(...roles.map((role) => this.roleSwitch(role)));
+    const always = layers.filter((layer) => layer.finding === undefined && !layer.steps && !layer.moments);
+    const found = finding === undefined ? this.data.found.filter((layer) => this.findings.shown.includes(layer.role)) : this.data.layersOf(finding);
+    const roles = [...new Set([...found, ...always].map((layer) => layer.role))];
+    panel.replaceChildren(...roles.map((role) => this.roleSwitch(role, undefined, finding === undefined && role === 'contact' && areManyCurves(this.data))));
     for (const layer of layers) if (layer.moments && layer.finding === undefined) panel.append(this.roleSwitch(layer.role, layer.name), ...this.classes(layer));
     if (this.data.header.motion) panel.append(this.bodyKey());
     layers.forEach((layer, i) => {
@@ -90,7 +90,7 @@ export class LayerPanel {
     return key;
   }
 
-  private roleSwitch(role: string, name?: string): HTMLElement {
+  private roleSwitch(role: string, name?: string, isPoints = false): HTMLElement {
     const label = make('label');
     const box = make('input');
     box.type = 'checkbox';
@@ -100,7 +100,7 @@ export class LayerPanel {
       else this.state.off.add(role);
       this.changed();
     };
-    label.append(box, this.key(roleColour(themes[this.state.theme], role)), roleNames[role] ?? name ?? role);
+    label.append(box, this.key(roleColour(themes[this.state.theme], role)), `${roleNames[role] ?? name ?? role}${isPoints ? ', a point each' : ''}`);
     return label;
   }
 

@@ -87,11 +87,11 @@ function discTexture(): CanvasTexture {
   return disc;
 }
 
-export function points(numbers: Float32Array, colour: number, over: boolean): Object3D {
+export function points(numbers: Float32Array, colour: number, over: boolean, size = 8): Object3D {
   const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(numbers, 3));
   const material = new PointsMaterial({
     color: colour,
-    size: 8,
+    size,
     sizeAttenuation: false,
     map: discTexture(),
     alphaTest: 0.5,
@@ -191,6 +191,32 @@ export function merged(layers: Layer[], data: PageData): Float32Array {
     at += part.length;
   }
   return whole;
+}
+
+const mostCurves = 20_000; // segments
+
+/// Whether the curves of all contacts are more than can be drawn together, and told apart.
+export function areManyCurves({ found }: PageData): boolean {
+  let count = 0;
+  for (const layer of found) if (layer.kind === 'segments' && layer.role === 'contact') count += layer.data.count / 6;
+  return count > mostCurves;
+}
+
+/// For each layer the middle of the box around its points.
+export function middles(layers: Layer[], data: PageData): Float32Array {
+  const all = new Float32Array(3 * layers.length);
+  layers.forEach((layer, i) => {
+    const numbers = data.floats(layer.data);
+    for (let axis = 0; axis < 3; ++axis) {
+      let [lower, upper] = [Infinity, -Infinity];
+      for (let at = axis; at < numbers.length; at += 3) {
+        lower = Math.min(lower, numbers[at]);
+        upper = Math.max(upper, numbers[at]);
+      }
+      all[3 * i + axis] = (lower + upper) / 2;
+    }
+  });
+  return all;
 }
 
 /// What a drawing holds on the graphics card is given back.

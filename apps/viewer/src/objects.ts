@@ -1,5 +1,5 @@
-// The objects: each mesh is drawn once for all objects that share it, and once more for those that are ghosts; many small
-// ones are drawn together.
+// The objects: each mesh is drawn once for all objects that share it, and once more for those that are ghosts; where there are
+// many meshes they are drawn together: a card that is a program takes milliseconds for each drawing, whatever is in it.
 import {
   Box3,
   BufferAttribute,
@@ -14,11 +14,25 @@ import {
   Points,
   PointsMaterial,
   Raycaster,
+  Sphere,
   Vector3,
 } from 'three';
+import { detail } from './coarse';
 import { Copies, Crowd, CrowdPart, type Drawing, type Member } from './crowd';
 import type { Header, MeshHeader, PageData } from './data';
 import { matrixOf, shownPlace, stored } from './place';
+
+/// Around three numbers each; three.js asks for every one of them by itself, which takes a second for a million.
+function boxOf(numbers: Float32Array | Uint16Array): Box3 {
+  const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
+  for (let at = 0; at < numbers.length; at += 3)
+    for (let axis = 0; axis < 3; ++axis) {
+      const number = numbers[at + axis];
+      if (number < lower[axis]) lower[axis] = number;
+      if (number > upper[axis]) upper[axis] = number;
+    }
+  return new Box3(new Vector3().fromArray(lower), new Vector3().fromArray(upper));
+}
 
 export type Look = 'shown' | 'ghost' | 'hidden';
 
@@ -31,8 +45,8 @@ export interface Appearance {
 /// The same objects, as those that are shown and as ghosts.
 type Drawings = Record<'shown' | 'ghost', Drawing>;
 
-/// Objects of so few triangles are drawn together where there are so many of them.
-const small = { triangles: 600, objects: 32, vertices: 4_000_000 };
+/// Where there are so many objects, those of so few triangles, and those whose mesh is of no other, are drawn together.
+const joined = { triangles: 600, objects: 32, vertices: 4_000_000 };
 
 export class Objects {
   readonly group = new Group();
@@ -44,6 +58,7 @@ export class Objects {
   private readonly crowds: Crowd[] = [];
   private readonly moved = new Set<number>(); // since they were drawn
   private readonly solidMaterials: MeshLambertMaterial[] = [];
+  private readonly triangles: number;
 
   constructor(private readonly data: PageData) {
     const { header, report } = data;
@@ -51,6 +66,7 @@ export class Objects {
     this.geometries = header.meshes.map((mesh) => this.geometryOf(mesh));
     this.boxes = header.objects.map(({ mesh }, i) => (this.geometries[mesh].boundingBox ?? new Box3()).clone().applyMatrix4(this.matrices[i]));
     this.addDrawings(header);
+    this.triangles = this.drawings.reduce((sum, { shown }) => sum + shown.triangles, 0);
   }
 
   private geometryOf(mesh: MeshHeader): BufferGeometry {
@@ -60,8 +76,8 @@ export class Objects {
     const triangles = mesh.triangles.bytes === 2 ? this.data.shorts(mesh.triangles) : this.data.integers(mesh.triangles);
     geometry.setIndex(new BufferAttribute(triangles, 1));
     if (mesh.smooth) geometry.computeVertexNormals();
-    geometry.computeBoundingBox();
-    geometry.computeBoundingSphere();
+    geometry.boundingBox = boxOf(vertices);
+    geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
     return geometry;
   }
 
@@ -71,16 +87,16 @@ export class Objects {
     const crowds: Record<'smooth' | 'flat', Member[][]> = { smooth: [], flat: [] };
     header.meshes.forEach((mesh, i) => {
       if (mesh.triangles.count === 0) for (const { object, geometry } of members[i]) this.addThin(object, geometry);
-      else if (mesh.triangles.count <= 3 * small.triangles) crowds[mesh.smooth ? 'smooth' : 'flat'].push(members[i]);
+      else if (members[i].length === 1 || mesh.triangles.count <= 3 * joined.triangles) crowds[mesh.smooth ? 'smooth' : 'flat'].push(members[i]);
       else this.addCopies(members[i], mesh.smooth);
     });
-    for (const kind of ['smooth', 'flat'] as const) this.addSmall(crowds[kind], kind === 'smooth');
+    for (const kind of ['smooth', 'flat'] as const) this.addJoined(crowds[kind], kind === 'smooth');
   }
 
-  private addSmall(groups: Member[][], smooth: boolean): void {
+  private addJoined(groups: Member[][], smooth: boolean): void {
     const all = groups.flat();
     const vertices = all.reduce((sum, { geometry }) => sum + geometry.getAttribute('position').count, 0);
-    if (all.length < small.objects || vertices > small.vertices) {
+    if (all.length < joined.objects || vertices > joined.vertices) {
       for (const group of groups) this.addCopies(group, smooth);
       return;
     }
@@ -117,6 +133,17 @@ export class Objects {
     drawn.matrix.copy(this.matrices[object]);
     this.thin.set(object, drawn);
     this.group.add(drawn);
+  }
+
+  /// Whether there are so many triangles that a program in place of a graphics card takes long to draw them.
+  get isHeavy(): boolean {
+    return this.triangles > detail.heavy;
+  }
+
+  /// Whether all triangles are drawn, or about as many as can be drawn while the picture moves.
+  setDetail(which: 'whole' | 'coarse'): void {
+    const share = which === 'whole' ? undefined : detail.whenMoving / this.triangles;
+    for (const { shown, ghost } of this.drawings) for (const drawing of [shown, ghost]) drawing.setCoarse(share);
   }
 
   /// One appearance for each object.

@@ -1,14 +1,13 @@
 // The lists at the side and the sentence below. Names are untrusted: they are only ever set as text.
 import { ClashList, groupings, offeredGroupings, type Grouping, type Listed } from './clash_list';
 import type { PageData } from './data';
+import { LongList } from './long_list';
 import { sorted, textOf, type Finding, type Findings, type Order, type Part } from './findings';
 import { statuses, type Review, type ReviewStatus } from './review';
 import type { State } from './state';
 import { isDim, isSetFor, Tree, type Row } from './tree';
 import { isolated } from './visible';
 import { countText, numberText } from './words';
-
-const most = 500; // rows at a time
 
 export function element<T extends HTMLElement = HTMLElement>(id: string): T {
   const found = document.getElementById(id);
@@ -37,30 +36,6 @@ const nameIn = (name: string, className = '') => {
   return made;
 };
 
-/// Rows, the first `most` of them and a button for more. The place in the list and what has the focus are kept.
-function fillList<T>(list: HTMLElement, items: T[], row: (item: T) => HTMLElement, none: string): void {
-  const { scrollTop } = list;
-  const focused = list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset.key : undefined;
-  list.replaceChildren();
-  if (items.length === 0) list.append(make('li', none, 'none'));
-  const addFrom = (first: number) => {
-    for (const one of items.slice(first, first + most)) list.append(row(one));
-    const left = items.length - first - most;
-    if (left <= 0) return;
-    const more = make('button', `${left.toLocaleString('en-US')} more …`, 'more');
-    const item = make('li');
-    item.append(more);
-    more.onclick = () => {
-      item.remove();
-      addFrom(first + most);
-    };
-    list.append(item);
-  };
-  addFrom(0);
-  list.scrollTop = scrollTop;
-  if (focused) list.querySelector<HTMLElement>(`[data-key="${focused}"]`)?.focus();
-}
-
 const orderNames: Record<Order, string> = {
   deepest: 'deepest first',
   largest: 'most faces first',
@@ -74,6 +49,9 @@ export class Panels {
   private order: number[] = [];
   private readonly tree: Tree;
   private readonly list: ClashList;
+  private listed: Listed[] = [];
+  private readonly findingRows: LongList<Listed>;
+  private readonly objectRows: LongList<Row>;
   private readonly hasReview: boolean;
 
   constructor(
@@ -85,6 +63,8 @@ export class Panels {
   ) {
     this.tree = new Tree(data);
     this.list = new ClashList(data.report, findings.all, review);
+    this.findingRows = new LongList(element('finding-list'), { row: (row) => this.listRow(row), isHeading: (row) => row.finding === undefined });
+    this.objectRows = new LongList(element('object-list'), { row: (row) => this.objectRow(row), isHeading: () => false });
     this.hasReview = data.report.schema.startsWith('toccata/check/') && findings.all.length > 0;
     this.offerGroupings();
     this.listenToReview();
@@ -225,10 +205,10 @@ export class Panels {
     const { orders, all, none } = this.findings;
     const order = this.state.order && orders.includes(this.state.order) ? this.state.order : orders[0];
     element<HTMLSelectElement>('order').value = order;
-    const listed = this.list.listed(sorted(all, order, this.state.moment));
-    this.order = listed.flatMap(({ finding }) => (finding === undefined ? [] : [finding]));
+    this.listed = this.list.listed(sorted(all, order, this.state.moment));
+    this.order = this.listed.flatMap(({ finding }) => (finding === undefined ? [] : [finding]));
     const nothing = all.length > 0 && this.list.filter !== '' ? 'Nothing in the list holds these words.' : none;
-    fillList(element('finding-list'), listed, (row) => this.listRow(row), nothing);
+    this.findingRows.fill(this.listed, nothing);
     this.markFinding();
   }
 
@@ -241,6 +221,7 @@ export class Panels {
     const item = make('li', '', finding.subdued ? 'dim' : '');
     item.dataset.finding = String(index);
     const row = make('button', '', 'row');
+    this.mark(item, row);
     row.append(this.filled(make('span'), finding.row, finding), make('span', [finding.what, ...this.saidOf(finding)].join(' · '), 'what'));
     row.title = textOf(finding.sentence, (object) => isolated(this.data.report.objects[object].name));
     row.onclick = () => this.actions.choose(index);
@@ -257,13 +238,15 @@ export class Panels {
 
   markFinding(): void {
     const chosen = this.state.finding;
-    for (const item of element('finding-list').children) {
-      const is = (item as HTMLElement).dataset.finding === String(chosen);
-      item.classList.toggle('chosen', is);
-      item.querySelector('.row')?.setAttribute('aria-current', String(is));
-      if (is) item.scrollIntoView({ block: 'nearest' });
-    }
+    if (chosen !== undefined) this.findingRows.reveal(this.listed.findIndex(({ finding }) => finding === chosen));
+    for (const item of this.findingRows.rows) this.mark(item, item.querySelector('.row'));
     this.tell();
+  }
+
+  private mark(item: HTMLElement, row: Element | null): void {
+    const is = item.dataset.finding === String(this.state.finding);
+    item.classList.toggle('chosen', is);
+    row?.setAttribute('aria-current', String(is));
   }
 
   private tell(): void {
@@ -281,7 +264,7 @@ export class Panels {
   listObjects(): void {
     const wanted = element<HTMLInputElement>('filter').value.toLowerCase();
     const none = this.data.report.objects.length === 0 ? 'There is no object.' : 'No object is named so.';
-    fillList(element('object-list'), this.tree.rows(wanted), (row) => this.objectRow(row), none);
+    this.objectRows.fill(this.tree.rows(wanted), none);
   }
 
   private objectRow(row: Row): HTMLElement {

@@ -8,10 +8,17 @@ import { boxOfBodies, mostBoxes } from './moving';
 import type { Objects } from './objects';
 import type { PageData } from './data';
 
+const patience = 250; // milliseconds of rest, after which all is drawn
+const slow = 40; // milliseconds of a frame
+
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly orbit: Orbit;
   drawn = 0; // frames, for tests
+  isWhole = true; // all triangles are drawn, and not fewer while the picture moves
+  private isSlow: boolean; // drawing all of them takes too long to be done while it moves
+  private rest = 0; // the timer that waits for the picture to rest
+  private readonly finest = Math.min(2, window.devicePixelRatio); // points of the screen for one of the page's
   private readonly scene = new Scene();
   private readonly overlays = new Group();
   private grid: Object3D | undefined;
@@ -27,9 +34,11 @@ export class Stage {
   ) {
     // What are so many are a few points wide each: smooth edges would take a card that is a program most of its time.
     const most = Math.max(mostBoxes(data), data.report.objects?.length ?? 0);
+    this.isSlow = objects.isHeavy; // until it is known
     this.renderer = new WebGLRenderer({ canvas, antialias: most < 10_000, stencil: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.orbit = new Orbit(canvas, data.header.up, () => this.redraw());
+    this.renderer.setPixelRatio(this.finest);
+    this.orbit = new Orbit(canvas, data.header.up, () => this.moved());
+    if (this.isSlow) this.drawCoarse();
     this.scene.add(objects.group, this.overlays, this.orbit.camera, new HemisphereLight(0xffffff, 0x9098a4, 1.6));
     this.orbit.camera.add(this.sun, this.sun.target);
     this.sun.position.set(-0.4, 0.6, 1);
@@ -38,11 +47,46 @@ export class Stage {
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
+  /// Asks for a frame while the picture moves: of fewer triangles and half as fine where all would take too long, until it rests.
+  private moved(): void {
+    if (this.isSlow) this.drawCoarse();
+    this.redraw();
+  }
+
+  private drawCoarse(): void {
+    if (this.isWhole) {
+      this.objects.setDetail('coarse');
+      this.renderer.setPixelRatio(this.finest / 2);
+    }
+    this.isWhole = false;
+    window.clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => this.drawWhole(), patience);
+  }
+
+  private drawWhole(): void {
+    if (this.drawn === 0) return this.drawCoarse(); // the first picture comes soon
+    if (!this.isWhole) this.renderer.setPixelRatio(this.finest);
+    this.objects.setDetail('whole');
+    this.isWhole = true;
+    const before = performance.now();
+    this.drawNow();
+    const { renderer } = this;
+    const context = renderer.getContext();
+    context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
+    this.isSlow = performance.now() - before > slow;
+  }
+
   /// Asks for a frame. However often it is asked, one is drawn.
   redraw(): void {
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => this.drawNow());
+  }
+
+  /// With all triangles, now.
+  drawAll(): void {
+    if (!this.isWhole) this.drawWhole();
+    else this.drawNow();
   }
 
   drawNow(): void {

@@ -4,7 +4,7 @@ import { bodyColours, objectA, objectB, themes, touchedColour, untouched } from 
 import type { HierarchyLayer, Layer, LayerStep, PageData, Vec } from './data';
 import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
 import { findingsOf, type Finding, type Findings } from './findings';
-import { draw, merged, points, roleColour, segments } from './layers';
+import { areManyCurves, draw, merged, middles, points, roleColour, segments } from './layers';
 import { Marks, type Mark } from './marks';
 import { Measure } from './measure';
 import { Review } from './review';
@@ -340,7 +340,7 @@ export class Viewer {
     const { header } = this.data;
     this.levels = [];
     this.light(undefined, -1);
-    const found = header.layers.filter((layer) => layer.finding === this.state.finding && !this.state.off.has(layer.role));
+    const found = this.data.layersOf(this.state.finding).filter((layer) => !this.state.off.has(layer.role));
     const drawn = this.state.finding === undefined ? this.overview() : found.map((layer) => this.drawn(layer));
     header.layers.forEach((layer, i) => {
       if (layer.finding !== undefined || this.state.off.has(layer.role)) return;
@@ -373,13 +373,18 @@ export class Viewer {
     return draw(layer, { data: this.data, objects: this.objects }, style);
   }
 
-  /// While none is chosen, the curves and points of all findings: one drawing each for a role; and faces in a region.
+  /// While none is chosen, the curves and points of all findings: one drawing each for a role; and faces in a region. Where
+  /// curves of contact are too many to be told apart, and take seconds to draw, each finding is a point in the middle of them.
   private overview(): Object3D[] {
-    const layers = this.data.header.layers.filter((layer) => layer.finding !== undefined && !this.state.off.has(layer.role));
+    const layers = this.data.found.filter((layer) => !this.state.off.has(layer.role));
     const drawn: Object3D[] = [];
     for (const role of this.findings.shown) {
       const of = (kind: string) => layers.filter((layer) => layer.role === role && layer.kind === kind);
       const colour = roleColour(themes[this.state.theme], role);
+      if (role === 'contact' && areManyCurves(this.data)) {
+        drawn.push(points(middles(of('segments'), this.data), colour, true, 4));
+        continue;
+      }
       const curves = merged(of('segments'), this.data);
       const places = merged(of('points'), this.data);
       if (curves.length > 0) drawn.push(segments(curves, colour, 2.5, true));
@@ -422,9 +427,9 @@ export class Viewer {
       const side = object === chosen.a ? 'a' : 'b';
       return { at: top(this.objects.boxes[object]), text: report.objects[object].name, className: `mark ${side}`, kept: true };
     });
-    for (const layer of header.layers) {
+    for (const layer of this.data.layersOf(this.state.finding)) {
       const text = layer.length === undefined ? layer.label : lengthText(layer.length, report.unit);
-      if (layer.finding !== this.state.finding || !text || this.state.off.has(layer.role)) continue;
+      if (!text || this.state.off.has(layer.role)) continue;
       const ends = this.data.floats(layer.data);
       marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text, className: 'mark' });
     }
@@ -446,8 +451,8 @@ export class Viewer {
       return box.isEmpty() ? this.stage.wholeBox() : box;
     }
     const found = new Box3();
-    for (const layer of this.data.header.layers) {
-      if (layer.finding !== this.state.finding || layer.kind === 'faces' || layer.kind === 'arrows') continue;
+    for (const layer of this.data.layersOf(this.state.finding)) {
+      if (layer.kind === 'faces' || layer.kind === 'arrows') continue;
       const numbers = this.data.floats(layer.data);
       for (let i = 0; i < numbers.length; i += 3) found.expandByPoint(new Vector3(numbers[i], numbers[i + 1], numbers[i + 2]));
     }

@@ -16,13 +16,6 @@ struct GrowthCut {
   double offset;
 };
 
-/// A triangle that is not cut off yet, as seen from the point, and where it is nearest to it.
-struct Obstacle {
-  std::array<Vec3, 3> corner;
-  Vec3 nearest;
-  double squared;
-};
-
 Vec3 nearest_on_segment(const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double length = dot(along, along);
@@ -39,23 +32,6 @@ Vec3 nearest_to_origin(const std::array<Vec3, 3>& t) {
   for (const Vec3& other : {nearest_on_segment(t[1], t[2]), nearest_on_segment(t[2], t[0])})
     if (dot(other, other) < dot(best, best)) best = other;
   return best;
-}
-
-/// Nearest first.
-std::vector<Obstacle> obstacles_around(const PosedMesh& mesh, const Vec3& point, double reach) {
-  const Vec3 half{reach, reach, reach};
-  std::vector<Obstacle> found;
-  visit_triangles_near(mesh, {point - half, point + half}, [&](Index i) {
-    const Triangle t = mesh.triangle(i);
-    Obstacle obstacle{{t[0] - point, t[1] - point, t[2] - point}, {}, 0};
-    obstacle.nearest = nearest_to_origin(obstacle.corner);
-    obstacle.squared = dot(obstacle.nearest, obstacle.nearest);
-    found.push_back(obstacle);
-    return true;
-  });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Obstacle& s, const Obstacle& t) { return s.squared < t.squared; });
-  return found;
 }
 
 /// The first cuts are as far out as can be; later ones nearer in, so that each cuts off more.
@@ -102,8 +78,10 @@ std::vector<GrowthCut> cuts_around(std::vector<Obstacle> obstacles, double reach
     if (cuts.size() >= most_cuts || !(nearest.squared > 0x1p-100 * reach * reach)) return {};
     const GrowthCut cut = cut_before(nearest, share_left(cuts.size()), by);
     cuts.push_back(cut);
-    obstacles.erase(obstacles.begin());
-    std::erase_if(obstacles, [&](const Obstacle& obstacle) { return is_cut_off(obstacle, cut); });
+    // The nearest goes in any case; what is left moves up once.
+    std::erase_if(obstacles, [&](const Obstacle& obstacle) {
+      return &obstacle == &obstacles.front() || is_cut_off(obstacle, cut);
+    });
   }
   return cuts;
 }
@@ -136,12 +114,28 @@ std::vector<Vec3> corners_within(const std::vector<GrowthCut>& cuts) {
 
 }  // namespace
 
-std::optional<ConvexHull> grow_convex(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut) {
-  const std::vector<GrowthCut> cuts = cuts_around(obstacles_around(mesh, point, reach), reach, cut);
+Surroundings surroundings_of(const PosedMesh& mesh, const Vec3& point, double reach) {
+  const Vec3 half{reach, reach, reach};
+  Surroundings around{point, reach, {}};
+  visit_triangles_near(mesh, {point - half, point + half}, [&](Index i) {
+    const Triangle t = mesh.triangle(i);
+    Obstacle obstacle{{t[0] - point, t[1] - point, t[2] - point}, {}, 0};
+    obstacle.nearest = nearest_to_origin(obstacle.corner);
+    obstacle.squared = dot(obstacle.nearest, obstacle.nearest);
+    around.obstacles.push_back(obstacle);
+    return true;
+  });
+  std::stable_sort(around.obstacles.begin(), around.obstacles.end(),
+                   [](const Obstacle& s, const Obstacle& t) { return s.squared < t.squared; });
+  return around;
+}
+
+std::optional<ConvexHull> grow_convex(const Surroundings& around, CutBy cut) {
+  const std::vector<GrowthCut> cuts = cuts_around(around.obstacles, around.reach, cut);
   if (cuts.empty()) return std::nullopt;
   std::vector<Vec3> corners = corners_within(cuts);
   if (corners.size() < 4) return std::nullopt;
-  for (Vec3& corner : corners) corner = corner + point;
+  for (Vec3& corner : corners) corner = corner + around.point;
   ConvexHull hull{corners};
   return hull.dimension() == 3 ? std::optional(std::move(hull)) : std::nullopt;
 }

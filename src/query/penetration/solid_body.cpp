@@ -6,8 +6,12 @@
 
 #include "bounds/box_corners.hpp"
 #include "math/vec3_measures.hpp"
+#include "query/meshes/body_ranges.hpp"
 #include "query/meshes/triangles_shape.hpp"
+#include "query/meshes/world_search.hpp"
+#include "query/penetration/outside_faces.hpp"
 #include "query/penetration/quadric_hull.hpp"
+#include "query/penetration/whole_bodies.hpp"
 #include "query/relation/relation_locality.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -15,20 +19,11 @@
 namespace toccata {
 namespace {
 
-/// Of meshes with more vertices it is not tried in every case whether they are convex.
-constexpr std::size_t many_vertices = 10'000;
-
 Vec3 offset_of(const PosedShape& shape) {
   if (const auto* convex = std::get_if<PosedPolytope>(&shape)) return convex->pose().offset;
   if (const auto* triangles = std::get_if<PosedTriangles>(&shape)) return triangles->mesh.pose().offset;
   if (const auto* quadric = std::get_if<PosedQuadric>(&shape)) return quadric->pose().offset;
   return {};
-}
-
-Vec3 mean_vertex(const ConvexHull& hull) {
-  Vec3 sum;
-  for (Index i = 0; i < hull.vertex_count(); ++i) sum = sum + hull.vertex(i);
-  return (1.0 / hull.vertex_count()) * sum;
 }
 
 ConvexHull shrunk(const ConvexHull& hull, const Vec3& towards, double by) {
@@ -40,30 +35,28 @@ ConvexHull shrunk(const ConvexHull& hull, const Vec3& towards, double by) {
   return ConvexHull{points};
 }
 
+/// Some triangle meets the body. Faces of the body tell most of them from it before they are looked at closely.
+bool some_triangle_meets(const PosedMesh& mesh, const ConvexHull& hull, const PosedPolytope& shape) {
+  OutsideFaces faces(hull);
+  const Aabb box = world_box(shape);
+  bool is_met = false;
+  visit_triangles_near(mesh, box, ranges_of(shape, box), [&](Index i) {
+    const Triangle triangle = mesh.triangle(i);
+    is_met = !faces.tell_apart(triangle) && overlap(PosedPolytope(triangle), shape);
+    return !is_met;
+  });
+  return is_met;
+}
+
 /// Proved: no triangle meets it, and one of its points is inside.
-bool lies_within(const PosedPolytope& shape, const PosedMesh& mesh) {
-  return !overlap(PosedTriangles{mesh, false}, shape) && is_interior(shape.vertex(0), mesh);
+bool lies_within(const ConvexHull& hull, const PosedMesh& mesh) {
+  const PosedPolytope shape(hull);
+  return !some_triangle_meets(mesh, hull, shape) && is_interior(shape.vertex(0), mesh);
 }
 
-/// The hull of a solid mesh at its place, where that is the solid.
-bool is_convex_solid(const PosedMesh& mesh) {
-  const auto triangles = mesh.model().mesh().triangles();
-  try {
-    static_cast<void>(hull_of_convex_mesh({mesh.vertices(), {triangles.begin(), triangles.end()}}));
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
-  std::vector<char> used(mesh.model().mesh().vertices().size());
-  for (const auto& triangle : mesh.model().mesh().triangles())
-    for (const Index i : triangle) used[i] = 1;
-  std::vector<Vec3> vertices;
-  for (Index i = 0; i < used.size(); ++i)
-    if (used[i] != 0) vertices.push_back(mesh.vertex(i));
-  return vertices;
+std::optional<ConvexHull> grown_among(const Surroundings& around, const PosedMesh& mesh, CutBy cut) {
+  const std::optional<ConvexHull> grown = grow_convex(around, cut);
+  return grown ? drawn_within(mesh, *grown, around.point, 0) : std::nullopt;
 }
 
 }  // namespace
@@ -89,15 +82,14 @@ std::optional<ConvexHull> drawn_within(const PosedMesh& mesh, const ConvexHull& 
   for (const double less : {0x1p-40, 0x1p-30, 0x1p-20, 0x1p-10, 0x1p-4}) {
     if (1 - less < least_share) break;
     ConvexHull smaller = shrunk(hull, towards, less);
-    if (smaller.dimension() == 3 && lies_within(PosedPolytope(smaller), mesh)) return smaller;
+    if (smaller.dimension() == 3 && lies_within(smaller, mesh)) return smaller;
   }
   return std::nullopt;
 }
 
 std::optional<ConvexHull> grow_within(const PosedMesh& mesh, const Vec3& point, double reach, CutBy cut) {
   if (!is_interior(point, mesh)) return std::nullopt;
-  const std::optional<ConvexHull> grown = grow_convex(mesh, point, reach, cut);
-  return grown ? drawn_within(mesh, *grown, point, 0) : std::nullopt;
+  return grown_among(surroundings_of(mesh, point, reach), mesh, cut);
 }
 
 Penetration depth_between(const InnerPart& a, const InnerPart& b) {
@@ -106,9 +98,9 @@ Penetration depth_between(const InnerPart& a, const InnerPart& b) {
   return b.quadric ? penetration(a.shape, *b.quadric) : penetration(a.shape, b.shape);
 }
 
-SolidBody::SolidBody(const PosedModel& posed) : posed_(posed), extent_(extent_of(posed)) {
+SolidBody::SolidBody(const PosedModel& posed, WholeBodies& wholes) : posed_(posed), extent_(extent_of(posed)) {
   for (const PosedPart& part : posed.parts) box_ = merge(box_, world_box(part.shape));
-  find_whole();
+  find_whole(wholes);
   find_inner_parts();
 }
 
@@ -134,7 +126,7 @@ const InnerPart* SolidBody::within(const PosedPart& part) const {
   return inner_[static_cast<std::size_t>(&part - posed_.parts.data())];
 }
 
-void SolidBody::find_whole() {
+void SolidBody::find_whole(WholeBodies& wholes) {
   if (posed_.parts.size() > 1 || std::holds_alternative<PosedQuadric>(posed_.parts[0].shape)) {
     outer_.emplace(ConvexHull{corners_of(box_)});
     return;
@@ -143,14 +135,10 @@ void SolidBody::find_whole() {
     outer_.emplace(*convex);
     exactly_convex_ = true;
   } else {
-    const PosedMesh& mesh = std::get<PosedTriangles>(posed_.parts[0].shape).mesh;
-    const std::vector<Vec3> vertices = used_vertices(mesh);
-    const ConvexHull hull{vertices};
-    outer_.emplace(hull);
-    const bool is_large = vertices.size() > many_vertices;
-    exactly_convex_ = (!is_large || 2 * std::size_t{hull.vertex_count()} >= vertices.size()) && is_convex_solid(mesh);
-    if (!exactly_convex_ && !is_large && hull.dimension() == 3)
-      whole_ = keep(drawn_within(mesh, hull, mean_vertex(hull), 1 - 0x1p-36));
+    const auto whole = wholes.of(std::get<PosedTriangles>(posed_.parts[0].shape).mesh);
+    outer_.emplace(whole->hull);
+    exactly_convex_ = whole->is_convex;
+    whole_ = keep(whole->drawn);
   }
   if (exactly_convex_) whole_ = &*outer_;
 }
@@ -177,9 +165,21 @@ const InnerPart* SolidBody::grow(const Vec3& point, double reach, CutBy cut) {
     if (const InnerPart* inner = within(part); inner != nullptr && holds(part.shape, point)) return inner;
     if (!std::holds_alternative<PosedTriangles>(part.shape)) continue;
     const PosedMesh& mesh = std::get<PosedTriangles>(part.shape).mesh;
-    if (const InnerPart* kept = keep(grow_within(mesh, point, reach, cut))) return kept;
+    const Surroundings* around = surroundings_in(mesh, point, reach);
+    if (around == nullptr) continue;
+    if (const InnerPart* kept = keep(grown_among(*around, mesh, cut))) return kept;
   }
   return nullptr;
+}
+
+const Surroundings* SolidBody::surroundings_in(const PosedMesh& mesh, const Vec3& point, double reach) {
+  const bool is_known = around_mesh_ == &mesh && around_.point == point && around_.reach == reach;
+  if (!is_known) {
+    around_mesh_ = &mesh;
+    is_around_inside_ = is_interior(point, mesh);
+    around_ = is_around_inside_ ? surroundings_of(mesh, point, reach) : Surroundings{point, reach, {}};
+  }
+  return is_around_inside_ ? &around_ : nullptr;
 }
 
 }  // namespace toccata

@@ -10,6 +10,8 @@
 
 namespace toccata {
 
+class WholeBodies;
+
 /// A convex body that is proved to lie within a solid, and a box around it.
 struct InnerPart {
   explicit InnerPart(const PosedPolytope& within) : shape(within), box(world_box(within)) {}
@@ -45,7 +47,8 @@ struct InnerPart {
 /// for. It refers to the posed model, which has to outlive it.
 class SolidBody {
  public:
-  explicit SolidBody(const PosedModel& posed);
+  /// `wholes` knows the body of the whole where it was asked before.
+  SolidBody(const PosedModel& posed, WholeBodies& wholes);
   SolidBody(const SolidBody&) = delete;
   SolidBody& operator=(const SolidBody&) = delete;
 
@@ -81,8 +84,10 @@ class SolidBody {
 
  private:
   const InnerPart* keep(const std::optional<ConvexHull>& hull);
-  void find_whole();
+  void find_whole(WholeBodies& wholes);
   void find_inner_parts();
+  /// Of a point inside the mesh; else null. Those of the last point are kept: bodies grow around it by several cuts.
+  const Surroundings* surroundings_in(const PosedMesh& mesh, const Vec3& point, double reach);
 
   const PosedModel& posed_;
   Aabb box_;
@@ -92,6 +97,9 @@ class SolidBody {
   std::vector<const InnerPart*> inner_;  ///< of each part, or null
   const InnerPart* whole_ = nullptr;
   bool exactly_convex_ = false;
+  Surroundings around_;
+  const PosedMesh* around_mesh_ = nullptr;
+  bool is_around_inside_ = false;
 };
 
 }  // namespace toccata

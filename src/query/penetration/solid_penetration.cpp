@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <string_view>
 
 #include "math/constants.hpp"
@@ -11,7 +12,9 @@
 #include "query/penetration/local_depth.hpp"
 #include "query/penetration/separating_search.hpp"
 #include "query/penetration/solid_body.hpp"
+#include "query/penetration/whole_bodies.hpp"
 #include "query/relation/relation_posed.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
 #include "toccata/query/contacts.hpp"
@@ -146,7 +149,8 @@ std::vector<SurfaceIntersection> places_of_contact(const Model& a, const Model& 
 Penetration depth_of_part(const PosedPart& part, const PosedHalfSpace& b) {
   if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape)) return penetration(*quadric, b);
   const PosedModel alone{{part}, true};
-  const SolidBody body(alone);
+  WholeBodies wholes;
+  const SolidBody body(alone, wholes);
   return penetration(body.outer(), b);
 }
 
@@ -198,6 +202,13 @@ void combine(Penetration& bracket, const Penetration& other) {
   bracket.direction = other.direction;
 }
 
+/// Those that the workspace keeps from question to question.
+WholeBodies& wholes_of(Workspace& workspace) {
+  auto& kept = workspace.scratch().whole_bodies;
+  if (!kept) kept = std::make_shared<WholeBodies>();
+  return *kept;
+}
+
 /// The depth of two bounded solids that overlap.
 class BodyDepth {
  public:
@@ -245,7 +256,8 @@ class BodyDepth {
 
   void search() {
     if (bracket_.upper < infinity && limit_.is_over()) return;
-    SolidBody body_a(models_.a), body_b(models_.b);
+    WholeBodies& wholes = wholes_of(workspace_);
+    SolidBody body_a(models_.a, wholes), body_b(models_.b, wholes);
     if (is_known_as_one(body_a, body_b)) return;
     if (is_local_first_ && !was_looked_at_ && look_at_the_place()) return;
     bracket_ = SeparatingSearch(body_a, body_b, questions_, limit_).answer(bracket_);

@@ -1,0 +1,50 @@
+// What is drawn in place of a mesh while the picture moves, where all of its triangles would take too long: the box of the
+// mesh in cells, the vertices of each cell as one, and the triangles that are left.
+import { BufferAttribute, BufferGeometry } from 'three';
+
+/// Of all objects together so many triangles are drawn while they move, and there is something coarse only from so many on.
+export const detail = { whenMoving: 24_000, heavy: 300_000 };
+
+type Numbers = Float32Array | Uint16Array;
+
+/// Of each vertex the number of its cell, and of each cell that has some the first of them; `cells` along each side of the box.
+function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: number): { of: Uint32Array; first: number[] } {
+  const scale = [0, 1, 2].map((axis) => (upper[axis] > lower[axis] ? cells / (upper[axis] - lower[axis]) : 0));
+  const numberOf = new Int32Array(cells ** 3).fill(-1);
+  const first: number[] = [];
+  const of = new Uint32Array(numbers.length / 3);
+  for (let vertex = 0; vertex < of.length; ++vertex) {
+    let place = 0;
+    for (let axis = 0; axis < 3; ++axis)
+      place = place * cells + Math.min(cells - 1, Math.floor((numbers[3 * vertex + axis] - lower[axis]) * scale[axis]));
+    if (numberOf[place] < 0) numberOf[place] = first.push(vertex) - 1;
+    of[vertex] = numberOf[place];
+  }
+  return { of, first };
+}
+
+/// The triangles between three cells, each once, over the same vertices: about so many.
+export function coarseOf(geometry: BufferGeometry, triangles: number): BufferGeometry {
+  const { min, max } = geometry.boundingBox!;
+  // A surface that fills its box meets some 4n² of n³ cells.
+  const cells = Math.min(200, Math.max(3, Math.round(Math.sqrt(triangles / 4))));
+  const { of, first } = cellsOf(geometry.getAttribute('position').array as Numbers, min.toArray(), max.toArray(), cells);
+  const corners = geometry.getIndex()!.array;
+  const kept: number[] = [];
+  const seen = new Set<number>();
+  for (let at = 0; at < corners.length; at += 3) {
+    const [a, b, c] = [of[corners[at]], of[corners[at + 1]], of[corners[at + 2]]];
+    if (a === b || b === c || c === a) continue;
+    const [least, most] = [Math.min(a, b, c), Math.max(a, b, c)];
+    const key = (least * first.length + (a + b + c - least - most)) * first.length + most;
+    if (seen.has(key)) continue;
+    seen.add(key);
+    kept.push(first[a], first[b], first[c]);
+  }
+  const coarse = new BufferGeometry().setAttribute('position', geometry.getAttribute('position'));
+  if (geometry.hasAttribute('normal')) coarse.setAttribute('normal', geometry.getAttribute('normal'));
+  coarse.setIndex(new BufferAttribute(new Uint32Array(kept), 1));
+  coarse.boundingBox = geometry.boundingBox;
+  coarse.boundingSphere = geometry.boundingSphere;
+  return coarse;
+}
