@@ -43,7 +43,9 @@ std::vector<Body> row_of_spheres(int count) {
 /// Each pair of boxes is looked at by one rank, in the first step and while nothing moves.
 TEST(ChangesOfRanks, LookAtEachPairOnce) {
   TwinWorlds twins;
-  twins.add(row_of_spheres(60));
+  std::vector<Body> bodies = row_of_spheres(60);
+  for (Body& body : bodies) body.margin = 1;  // several pairs reach over each border
+  twins.add(bodies);
   for (int step = 0; step < 3; ++step) {
     twins.step();
     std::vector<std::size_t> all = gathered(std::vector{twins.distributed.last_step().costs.candidates});
@@ -177,6 +179,27 @@ TEST(ChangesOfRanks, MoveAlongMotions) {
   world.move_along(here, motions);
   expect_message([&] { world.step(); }, "its motion is of several pieces; give one move for a step");
   twins.step();
+}
+
+std::size_t ghosts_of_all(const TwinWorlds& twins) {
+  std::size_t sum = 0;
+  for (const std::size_t one : gathered(std::vector{twins.distributed.last_step().costs.ghosts})) sum += one;
+  return sum;
+}
+
+/// On its way a body is on all ranks that it passes, and no longer when the step is over.
+TEST(ChangesOfRanks, AreFreeOfABodyThatHasPassed) {
+  TwinWorlds twins;
+  std::vector<Body> bodies = row_of_spheres(40);
+  bodies.push_back({Sphere(0.1), Pose::translation(0, 2, 0)});
+  twins.add(bodies);
+  twins.step();
+  const std::size_t before = ghosts_of_all(twins);
+  twins.move_along(twins.world.bodies().back(), RigidMotion::straight(bodies.back().pose, {39, 0, 0}));
+  twins.step();
+  EXPECT_EQ(ghosts_of_all(twins), before + static_cast<std::size_t>(our_ranks().count()) - 1);
+  twins.step();
+  EXPECT_EQ(ghosts_of_all(twins), before);
 }
 
 TEST(ChangesOfRanks, DeformMeshes) {
