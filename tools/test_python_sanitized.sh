@@ -5,15 +5,18 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 libraries=$(cd "$1" && pwd)
+if [[ ! -f $libraries/libtoccata_reports_sanitized.so ]]; then
+  echo "there are no libraries under sanitizers in $libraries: configure it with -DTOCCATA_TEST_SANITIZED=ON and build toccata_reports_sanitized" >&2
+  exit 2
+fi
 folder=$root/build/python/sanitized
 python=$root/build/python/asan/bin/python
 if ! "$python" -c 'import nanobind, numpy, pytest, hypothesis, scipy' 2>/dev/null; then
   python3 -m venv "$root/build/python/asan"
   "$python" -m pip install --quiet --disable-pip-version-check 'nanobind >= 3.1, < 4' numpy pytest hypothesis scipy
 fi
-if [[ ! -f $folder/build.ninja ]]; then
-  cmake -G Ninja -S "$root/python" -B "$folder" -DCMAKE_BUILD_TYPE=None -DTOCCATA_SANITIZED_BUILD="$libraries" -DPython_EXECUTABLE="$python" >/dev/null
-fi
+# Each time: the libraries may be others than the last time, and what is as it was is not compiled again.
+cmake -G Ninja -S "$root/python" -B "$folder" -DCMAKE_BUILD_TYPE=None -DTOCCATA_SANITIZED_BUILD="$libraries" -DPython_EXECUTABLE="$python" >/dev/null
 ninja -C "$folder"
 site=$(mktemp -d)
 trap 'rm -rf -- "$site"' EXIT

@@ -19,7 +19,7 @@
 namespace toccata::python {
 namespace {
 
-Indices rows_of(std::vector<IndexPair> pairs) {
+Indices index_pairs_told(std::vector<IndexPair> pairs) {
   static_assert(sizeof(IndexPair) == 2 * sizeof(Index));
   return nb::borrow<Indices>(array_over<Index>(std::move(pairs), {2}));
 }
@@ -55,7 +55,7 @@ void bind_boxes(nb::module_& module) {
       [](const ArrayLike& boxes, const std::string& method, int threads) {
         const std::vector<Aabb> given = boxes_of(boxes, "boxes");
         const BroadPhaseOptions options = options_of(method, threads);
-        return rows_of(without_lock([&] { return overlapping_pairs(given, options); }));
+        return index_pairs_told(without_lock([&] { return overlapping_pairs(given, options); }));
       },
       nb::arg("boxes"), nb::kw_only(), nb::arg("method") = "auto", nb::arg("threads") = all_threads,
       "Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. "
@@ -98,14 +98,14 @@ Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are remo
       .def(
           "update",
           [](const HeldBoxes& held) {
-            return rows_of(held.with([](BroadPhase& phase) { return kept(phase.update()); }));
+            return index_pairs_told(held.with([](BroadPhase& phase) { return kept(phase.update()); }));
           },
           "The pairs of the boxes as they are now, shape (K, 2), ascending.")
       .def(
           "changes",
           [](const HeldBoxes& held) {
             PairChanges changes = held.with([](const BroadPhase& phase) { return phase.changes(); });
-            return nb::make_tuple(rows_of(std::move(changes.begin)), rows_of(std::move(changes.end)));
+            return nb::make_tuple(index_pairs_told(std::move(changes.begin)), index_pairs_told(std::move(changes.end)));
           },
           "Pairs that the last update found and the one before did not, and the reverse.",
           nb::sig("def changes(self) -> tuple[toccata._typing.Indices, toccata._typing.Indices]"))

@@ -2,6 +2,7 @@
 
 #include <nanobind/nanobind.h>
 
+#include <limits>
 #include <utility>
 
 #include <toccata/core/parallel.hpp>
@@ -13,6 +14,9 @@
 namespace toccata::python {
 
 namespace nb = nanobind;
+
+/// A greatest distance, or time, that nothing exceeds.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// It has no tree: a question about two such takes less time than to give the lock away and to take it back.
 inline bool is_quick(const Model& model) { return !model.has_mesh() && model.parts().empty(); }

@@ -47,7 +47,9 @@ is looked for. max_slides: how often the way may bend in one step.)")
       nb::arg("velocity"), nb::arg("normals"),
       "The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, "
       "3), "
-      "of length 1: so a velocity loses what goes into the contacts of a step of a character.");
+      "of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a "
+      "number "
+      "that is not finite.");
 }
 
 }  // namespace toccata::python

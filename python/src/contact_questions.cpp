@@ -2,7 +2,6 @@
 #include <nanobind/stl/optional.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -125,7 +124,7 @@ void bind_self_contacts(nb::module_& module) {
       nb::arg("mesh"), nb::arg("pose") = nb::none(), "Whether a mesh intersects itself. Exact.");
 }
 
-nb::object rows_of(const Manifold& manifold) {
+nb::object positions_of(const Manifold& manifold) {
   std::vector<Vec3> positions;
   for (int i = 0; i < manifold.count; ++i) positions.push_back(manifold.points[static_cast<std::size_t>(i)].position);
   return array_over<double>(std::move(positions), {3});
@@ -147,7 +146,7 @@ void bind_manifold(nb::module_& module) {
       .def_prop_ro(
           "normal", [](const Manifold& m) { return array_of(m.normal); }, "Unit, from A to B; shape (3,).")
       .def_prop_ro(
-          "positions", [](const Manifold& m) { return nb::borrow<Floats>(rows_of(m)); },
+          "positions", [](const Manifold& m) { return nb::borrow<Floats>(positions_of(m)); },
           "Half way between the two surfaces, in the world; shape (count, 3).")
       .def_prop_ro(
           "depths", [](const Manifold& m) { return nb::borrow<Floats>(depths_of(m)); },

@@ -2,6 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,12 +54,14 @@ class HeldDeforming {
     return use(mesh_);
   }
 
-  /// `ask(mesh)` of one, or `ask(mesh, other)` of two.
+  /// `ask(mesh)` of one, or `ask(mesh, other)` of two, by who has given the interpreter's lock away.
   template <class Ask>
   auto ask(const HeldDeforming* other, const Ask& ask) const {
-    if (other == nullptr) return with([&](const DeformingMesh& mesh) { return ask(mesh); });
+    if (other == nullptr) {
+      const std::lock_guard guard(*mutex_);
+      return ask(std::as_const(mesh_));
+    }
     if (other == this) throw Error("other: it is the same mesh; leave it out to ask how it meets itself");
-    const nb::gil_scoped_release released;
     const std::scoped_lock guard(*mutex_, *other->mutex_);
     return ask(std::as_const(mesh_), std::as_const(other->mesh_));
   }
@@ -143,14 +146,18 @@ void bind_ways(nb::class_<HeldDeforming>& bound) {
       });
 }
 
-/// A question of one mesh with itself, or of two: `ask(options, meshes…)`.
-template <class Ask>
+/// A question of one mesh with itself, or of two, which Ctrl-C ends: `tell(ask(options, meshes…))`.
+template <class Ask, class Tell = std::identity>
 void bind_impacts(nb::class_<HeldDeforming>& bound, const char* name, const char* signature, const char* doc,
-                  const Ask& ask) {
+                  const Ask& ask, const Tell& tell = {}) {
   bound.def(
       name,
-      [ask](const HeldDeforming& held, const HeldDeforming* other, double separation, bool starts_free, int threads) {
-        return ask(held, other, ImpactOptions{separation, starts_free, threads});
+      [ask, tell](const HeldDeforming& held, const HeldDeforming* other, double separation, bool starts_free,
+                  int threads) {
+        return tell(Interruptible(threads, false).ask([&](const BatchOptions& batch) {
+          const ImpactOptions options{separation, starts_free, batch.threads, batch.progress};
+          return held.ask(other, [&](const auto&... meshes) { return ask(options, meshes...); });
+        }));
       },
       nb::arg("other") = nb::none(), nb::kw_only(), nb::arg("separation") = 0.0, nb::arg("starts_free") = false,
       nb::arg("threads") = own_thread, nb::sig(signature), doc);
@@ -161,46 +168,48 @@ void bind_impacts(nb::class_<HeldDeforming>& bound, const char* name, const char
   "(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, " \
   "threads: int = 1) -> " answer
 
+/// What is told of the other mesh, where there is one.
+struct StepsTold {
+  std::vector<double> of_mesh;
+  std::optional<std::vector<double>> of_other;
+};
+
+StepsTold steps_told(const ImpactOptions& options, const DeformingMesh& mesh) {
+  return {free_steps(mesh, options), std::nullopt};
+}
+
+StepsTold steps_told(const ImpactOptions& options, const DeformingMesh& mesh, const DeformingMesh& other) {
+  FreeSteps steps = free_steps(mesh, other, options);
+  return {std::move(steps.of_a), std::move(steps.of_b)};
+}
+
 void bind_impacts_of(nb::class_<HeldDeforming>& bound) {
   bind_impacts(bound, "meets", TOCCATA_IMPACT_SIGNATURE("meets", "bool"), "Whether any two features meet in the step.",
-               [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 return held.ask(other, [&](const auto&... meshes) { return meets(meshes..., options); });
-               });
+               [](const ImpactOptions& options, const auto&... meshes) { return meets(meshes..., options); });
   bind_impacts(bound, "first_impact", TOCCATA_IMPACT_SIGNATURE("first_impact", "MeshImpact | None"),
                "The first two to meet: the least by (lower, upper, a, b); None is proved.",
-               [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 return held.ask(other, [&](const auto&... meshes) { return first_impact(meshes..., options); });
-               });
-  bind_impacts(bound, "impacts", TOCCATA_IMPACT_SIGNATURE("impacts", "toccata._typing.Answers"),
-               "All that meet, each two once, in the same order: a structured array with the members of MeshImpact.",
-               [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 return structured(held.ask(other, [&](const auto&... meshes) { return impacts(meshes..., options); }));
-               });
-  bind_impacts(bound, "free_step", TOCCATA_IMPACT_SIGNATURE("free_step", "tuple[float, MeshImpact | None]"),
-               "The part of the step in which nothing meets, and what ends it: 1 and None where all of it is free. "
-               "Where the start is not free it is 0 and means nothing.",
-               [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 const FreeStep step =
-                     held.ask(other, [&](const auto&... meshes) { return free_step(meshes..., options); });
-                 return std::pair(step.fraction, step.limited_by);
-               });
-  bind_impacts(bound, "free_steps",
-               TOCCATA_IMPACT_SIGNATURE("free_steps", "tuple[toccata._typing.Floats, toccata._typing.Floats | None]"),
-               "For each vertex a fraction of its own way: however fast each goes, and wherever up to that it stops, "
-               "nothing meets. Shapes (N,), of this mesh and of the other, or None.",
-               [](const HeldDeforming& held, const HeldDeforming* other, const ImpactOptions& options) {
-                 if (other == nullptr)
-                   return nb::make_tuple(
-                       array_of(held.with([&](const DeformingMesh& mesh) { return free_steps(mesh, options); })),
-                       nb::none());
-                 FreeSteps steps = held.ask(other, [&](const auto&... meshes) {
-                   if constexpr (sizeof...(meshes) == 2)
-                     return free_steps(meshes..., options);
-                   else
-                     return FreeSteps{};
-                 });
-                 return nb::make_tuple(array_of(std::move(steps.of_a)), array_of(std::move(steps.of_b)));
-               });
+               [](const ImpactOptions& options, const auto&... meshes) { return first_impact(meshes..., options); });
+  bind_impacts(
+      bound, "impacts", TOCCATA_IMPACT_SIGNATURE("impacts", "toccata._typing.Answers"),
+      "All that meet, each two once, in the same order: a structured array with the members of MeshImpact.",
+      [](const ImpactOptions& options, const auto&... meshes) { return impacts(meshes..., options); },
+      [](std::vector<MeshImpact> found) { return structured(std::move(found)); });
+  bind_impacts(
+      bound, "free_step", TOCCATA_IMPACT_SIGNATURE("free_step", "tuple[float, MeshImpact | None]"),
+      "The part of the step in which nothing meets, and what ends it: 1 and None where all of it is free. "
+      "Where the start is not free it is 0 and means nothing.",
+      [](const ImpactOptions& options, const auto&... meshes) { return free_step(meshes..., options); },
+      [](const FreeStep& step) { return std::pair(step.fraction, step.limited_by); });
+  bind_impacts(
+      bound, "free_steps",
+      TOCCATA_IMPACT_SIGNATURE("free_steps", "tuple[toccata._typing.Floats, toccata._typing.Floats | None]"),
+      "For each vertex a fraction of its own way: however fast each goes, and wherever up to that it stops, "
+      "nothing meets. Shapes (N,), of this mesh and of the other, or None.",
+      [](const ImpactOptions& options, const auto&... meshes) { return steps_told(options, meshes...); },
+      [](StepsTold steps) {
+        const nb::object of_other = steps.of_other ? nb::object(array_of(std::move(*steps.of_other))) : nb::none();
+        return nb::make_tuple(array_of(std::move(steps.of_mesh)), of_other);
+      });
 }
 
 #undef TOCCATA_IMPACT_SIGNATURE

@@ -2,7 +2,6 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,8 +21,6 @@
 namespace toccata::python {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 void bind_brackets(nb::module_& module) {
   bind_answer<DepthBracket>(module);

@@ -27,26 +27,62 @@ struct Described<TimeOfImpact> {
                                      field<TimeOfImpact, &TimeOfImpact::upper>("upper", "")};
 };
 
+namespace {
+
+using HeldFunction = std::shared_ptr<nb::callable>;
+
+/// A RigidMotion as Python holds it, and the function of Python that tells it, if any: every copy of the motion shares
+/// that in its own function.
+struct HeldMotion : RigidMotion {
+  HeldMotion(RigidMotion motion, std::weak_ptr<nb::callable> of = {})
+      : RigidMotion(std::move(motion)), function(std::move(of)) {}
+
+  std::weak_ptr<nb::callable> function;
+};
+
+/// What a motion is told by may lead back to it, which Python's collector has to see: but only where no other copy
+/// keeps the function.
+int visit_motion(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (!nb::inst_ready(self)) return 0;
+  const auto& function = nb::inst_ptr<HeldMotion>(self)->function;
+  if (function.use_count() != 1) return 0;
+  const HeldFunction held = function.lock();
+  Py_VISIT(held->ptr());
+  return 0;
+}
+
+int clear_motion(PyObject* self) {
+  if (nb::inst_ready(self)) *nb::inst_ptr<HeldMotion>(self) = HeldMotion(Pose{});
+  return 0;
+}
+
+PyType_Slot motion_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(visit_motion)},
+                              {Py_tp_clear, reinterpret_cast<void*>(clear_motion)},
+                              {0, nullptr}};
+
+}  // namespace
+
 RigidMotion motion_of(nb::handle given, std::string_view what) {
-  if (nb::isinstance<RigidMotion>(given)) return nb::cast<const RigidMotion&>(given);
+  if (nb::isinstance<HeldMotion>(given)) return nb::cast<const HeldMotion&>(given);
   return {pose_of(given, what)};
 }
 
 std::vector<RigidMotion> motions_of(nb::handle given, std::string_view what) {
-  if (nb::isinstance<RigidMotion>(given)) return {nb::cast<const RigidMotion&>(given)};
+  if (nb::isinstance<HeldMotion>(given)) return {nb::cast<const HeldMotion&>(given)};
   if (!is_list(given)) throw Error(fmt::format("{}: a RigidMotion is needed, or a list of them", what));
   std::vector<RigidMotion> motions;
   for (const nb::handle motion : given) {
-    if (!nb::isinstance<RigidMotion>(motion))
+    if (!nb::isinstance<HeldMotion>(motion))
       throw Error(fmt::format("{}: entry {} is no RigidMotion", what, motions.size()));
-    motions.push_back(nb::cast<const RigidMotion&>(motion));
+    motions.push_back(nb::cast<const HeldMotion&>(motion));
   }
   return motions;
 }
 
 namespace {
 
-nb::list pieces_of(const RigidMotion& motion) {
+nb::list pieces_of(const HeldMotion& motion) {
   nb::list pieces;
   for (const RigidMotion::Piece& piece : motion.pieces())
     pieces.append(nb::make_tuple(piece.begin, piece.end, piece.start,
@@ -55,7 +91,7 @@ nb::list pieces_of(const RigidMotion& motion) {
   return pieces;
 }
 
-RigidMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayLike& centre) {
+HeldMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayLike& centre) {
   const Doubles numbers = doubles(times, "times");
   const Poses at = poses_of(poses, "poses");
   if (numbers.shape.size() != 1 || at.single || at.each.size() != numbers.rows())
@@ -66,51 +102,54 @@ RigidMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayL
 }
 
 /// A function of Python, for threads of C++: what holds it may be copied and ended without the interpreter's lock.
-std::function<Pose(double)> asked_with_lock(nb::callable function) {
+HeldFunction held_without_lock(nb::callable function) {
   const auto end = [](nb::callable* held) {
     if (!nb::is_alive()) return;
     const nb::gil_scoped_acquire acquired;
     delete held;
   };
-  return [held = std::shared_ptr<nb::callable>(new nb::callable(std::move(function)), end)](double time) {
+  return {new nb::callable(std::move(function)), end};
+}
+
+HeldMotion by_function(nb::callable pose_at, double speed, double turns, const ArrayLike& centre, double rounding) {
+  HeldFunction held = held_without_lock(std::move(pose_at));
+  const std::weak_ptr<nb::callable> function = held;
+  auto asked_with_lock = [held = std::move(held)](double time) {
     const nb::gil_scoped_acquire acquired;
     const nb::object pose = (*held)(time);
     if (pose.is_none()) throw Error("pose_at returns None: it has to return the pose at that time");
     return pose_of(pose, "what pose_at returns");
   };
-}
-
-RigidMotion by_function(nb::callable pose_at, double speed, double turns, const ArrayLike& centre, double rounding) {
-  return RigidMotion::of(asked_with_lock(std::move(pose_at)), {vector_of(centre, "centre"), speed, turns, rounding});
+  return {RigidMotion::of(std::move(asked_with_lock), {vector_of(centre, "centre"), speed, turns, rounding}), function};
 }
 
 void bind_motion(nb::module_& module) {
   const nb::tuple origin = nb::make_tuple(0.0, 0.0, 0.0);
-  nb::class_<RigidMotion>(module, "RigidMotion",
-                          R"(How a shape moves, without changing its form, in the time from 0 to 1.
+  nb::class_<HeldMotion>(module, "RigidMotion", nb::type_slots(motion_slots),
+                         R"(How a shape moves, without changing its form, in the time from 0 to 1.
 
 At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
 counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
 rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not finite.)")
       .def(
           "__init__",
-          [](RigidMotion* place, const PoseLike& start, const ArrayLike& translation, double turns,
+          [](HeldMotion* place, const PoseLike& start, const ArrayLike& translation, double turns,
              const ArrayLike& axis, const ArrayLike& centre) {
             const RigidMove move{vector_of(centre, "centre"), vector_of(axis, "axis"), turns,
                                  vector_of(translation, "translation")};
-            new (place) RigidMotion(pose_of(start, "start"), move);
+            new (place) HeldMotion(RigidMotion(pose_of(start, "start"), move));
           },
           nb::arg("start") = nb::none(), nb::arg("translation") = origin, nb::arg("turns") = 0.0,
           nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("centre") = origin)
       .def_static(
           "straight",
-          [](const PoseLike& start, const ArrayLike& translation) {
+          [](const PoseLike& start, const ArrayLike& translation) -> HeldMotion {
             return RigidMotion::straight(pose_of(start, "start"), vector_of(translation, "translation"));
           },
           nb::arg("start").none(), nb::arg("translation"), "Straight on, without a turn.")
       .def_static(
           "between",
-          [](const PoseLike& start, const PoseLike& end, const ArrayLike& centre) {
+          [](const PoseLike& start, const PoseLike& end, const ArrayLike& centre) -> HeldMotion {
             return RigidMotion::between(pose_of(start, "start"), pose_of(end, "end"), vector_of(centre, "centre"));
           },
           nb::arg("start").none(), nb::arg("end").none(), nb::arg("centre") = origin,
@@ -119,7 +158,7 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           "about it the shorter way at an even speed. Raises Error when no turn leads from one to the other.")
       .def_static(
           "screw",
-          [](const PoseLike& start, const PoseLike& end) {
+          [](const PoseLike& start, const PoseLike& end) -> HeldMotion {
             return RigidMotion::screw(pose_of(start, "start"), pose_of(end, "end"));
           },
           nb::arg("start").none(), nb::arg("end").none(),
@@ -139,16 +178,18 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
           "or not finite.")
       .def(
-          "at", [](const RigidMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
+          "at", [](const HeldMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
           "The pose at a time from 0 to 1, rounded. Raises Error for another time.")
       .def(
           "carrying",
-          [](const RigidMotion& motion, const PoseLike& fixed) { return motion.carrying(pose_of(fixed, "fixed")); },
+          [](const HeldMotion& motion, const PoseLike& fixed) {
+            return HeldMotion(motion.carrying(pose_of(fixed, "fixed")), motion.function);
+          },
           nb::arg("fixed"), "How something moves that is fixed to the shape: placed by a pose in its frame.")
       .def_prop_ro("pieces", &pieces_of, "(begin, end, start, (centre, axis, turns, translation)) of each piece.",
                    nb::sig("def pieces(self) -> list[tuple[float, float, Pose, tuple[tuple[float, float, float], "
                            "tuple[float, float, float], float, tuple[float, float, float]]]]"))
-      .def("__repr__", [](const RigidMotion& motion) {
+      .def("__repr__", [](const HeldMotion& motion) {
         return fmt::format("<toccata.RigidMotion of {} pieces>", motion.pieces().size());
       });
 }
@@ -176,9 +217,10 @@ coordinates; negative: when they are so deep in each other. Raises Error like ca
         const std::vector<RigidMotion> ways = motions_of(motions_a, "motions_a");
         const RigidMotion of_b = motion_of(motion_b, "motion_b");
         const SweepQuery query{solid_a, solid_b, stop_before};
-        return structured(without_lock([&, x = a.model, y = b.model] {
+        return structured(Interruptible(threads, false).ask([&, x = a.model, y = b.model](const BatchOptions& options) {
           std::vector<ShapeHit> hits(ways.size());
           parallel_for(ways.size(), threads, [&](std::size_t i) {
+            options.progress(i, ways.size());
             try {
               hits[i] = sweep(x, ways[i], y, of_b, query);
             } catch (const Error& error) {

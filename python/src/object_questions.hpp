@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -83,8 +82,6 @@ class ObjectQuestions {
   }
 
  private:
-  static constexpr double unlimited = std::numeric_limits<double>::infinity();
-
   static SceneInstance instance(const AnyShape& shape, const PoseLike& pose, Solid solid) {
     return {shape.model, pose_of(pose, "pose"), solid};
   }

@@ -1,7 +1,6 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/pair.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,8 +18,6 @@
 
 namespace toccata::python {
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 NearestQuery nearest_query(const PoseLike& pose, double max_distance) { return {pose_of(pose, "pose"), max_distance}; }
 

@@ -13,7 +13,7 @@
 namespace toccata::python {
 namespace {
 
-std::string text_of(const Pose& pose) {
+std::string pose_text(const Pose& pose) {
   const auto row = [](const Vec3& v) { return nb::cast<std::string>(nb::repr(tuple_of(v))); };
   return fmt::format("Pose(({}, {}, {}), {})", row(pose.linear[0]), row(pose.linear[1]), row(pose.linear[2]),
                      row(pose.offset));
@@ -28,7 +28,7 @@ Floats transformed(const Pose& pose, const ArrayLike& points) {
 
 Pose composed(const Pose& outer, const Pose& inner) { return outer * inner; }
 
-nb::tuple parts_of(const Pose& pose) {
+nb::tuple pose_state(const Pose& pose) {
   return nb::make_tuple(nb::make_tuple(tuple_of(pose.linear[0]), tuple_of(pose.linear[1]), tuple_of(pose.linear[2])),
                         tuple_of(pose.offset));
 }
@@ -119,8 +119,8 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
             return nb::try_cast(other, with, false) && with != nullptr && pose == *with;
           },
           nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__hash__", [](const Pose& pose) { return nb::hash(parts_of(pose)); })
-      .def("__repr__", &text_of)
+      .def("__hash__", [](const Pose& pose) { return nb::hash(pose_state(pose)); })
+      .def("__repr__", &pose_text)
       .def(
           "__array__",
           [](const Pose& pose, const nb::object& type, const nb::object&) -> Floats {
@@ -128,7 +128,7 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
             return type.is_none() ? matrix : nb::borrow<Floats>(matrix.attr("astype")(type));
           },
           nb::arg("dtype") = nb::none(), nb::arg("copy") = nb::none(), "What numpy.asarray makes of it: the matrix.")
-      .def("__getstate__", &parts_of)
+      .def("__getstate__", &pose_state)
       .def("__setstate__",
            [](Pose& pose, const nb::tuple& state) { new (&pose) Pose(pose_of(state, "a pickled pose")); });
 }

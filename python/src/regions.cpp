@@ -1,7 +1,6 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,8 +61,6 @@ struct Described<SignedRow> {
 };
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// A box (2, 3), its corners, or a ball (centre, radius).
 std::vector<RegionQuery> regions_of(const nb::object& boxes, const nb::object& centres, const nb::object& radii,

@@ -5,7 +5,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -97,8 +96,6 @@ struct Described<RobotEdge> {
 };
 
 namespace {
-
-constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 using NamedPair = std::pair<std::string, std::string>;
 
@@ -209,6 +206,17 @@ void bind_scene(nb::class_<RobotScene>& bound) {
           nb::arg("link"), nb::arg("other"), nb::arg("with_obstacle") = false,
           "Whether these two, told by their numbers, are looked at: two links in either order, or a link and an "
           "obstacle.")
+      .def(
+          "__copy__", [](const RobotScene& scene) { return scene; }, "It does not change: all is shared.")
+      .def(
+          "__deepcopy__", [](const RobotScene& scene, const nb::dict&) { return scene; }, nb::arg("memo"),
+          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> RobotScene"))
+      .def("__reduce__",
+           [](const RobotScene&) -> nb::object {
+             throw nb::type_error(
+                 "a RobotScene cannot be pickled; pickle its robot, its obstacles and what is allowed, and make it "
+                 "anew");
+           })
       .def("__repr__", [](const RobotScene& scene) {
         return fmt::format("<toccata.RobotScene: {} among {} obstacles>", scene.robot().name(),
                            scene.obstacles().size());
@@ -266,7 +274,7 @@ void bind_distances(nb::class_<RobotScene>& bound) {
             const auto found = without_lock([&, copy = scene] { return copy.distance(given.numbers(), max_distance); });
             return found ? std::optional(told(*found)) : std::nullopt;
           },
-          nb::arg("configuration"), nb::arg("max_distance") = no_limit,
+          nb::arg("configuration"), nb::arg("max_distance") = unlimited,
           "The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient; None "
           "where there is none within the greatest distance. Raises Error for a greatest distance that is negative.")
       .def(
@@ -278,7 +286,7 @@ void bind_distances(nb::class_<RobotScene>& bound) {
                                           }),
                                   scene.robot().positions().size());
           },
-          nb::arg("configurations"), nb::arg("max_distance") = no_limit, nb::kw_only(),
+          nb::arg("configurations"), nb::arg("max_distance") = unlimited, nb::kw_only(),
           nb::arg("threads") = all_threads,
           "distance of many, shape (N, P), on all cores: a structured array with the members of RobotDistance, the "
           "gradient of the shape (P,), and found.");

@@ -61,6 +61,13 @@ Floats numbers_told(std::vector<double> numbers, const std::vector<std::size_t>&
       nb::cast(nb::ndarray<nb::numpy, double>(data, shape.size(), shape.data(), owner), nb::rv_policy::reference));
 }
 
+std::string text_given(nb::handle given, std::string_view what) {
+  std::string text;
+  if (!nb::try_cast(given, text))
+    throw Error(fmt::format("{}: {} is no text that can be written (UTF-8)", what, nb::repr(given).c_str()));
+  return text;
+}
+
 std::vector<AllowedPair> allowed_pairs_of(nb::handle given, std::string_view what) {
   if (!nb::hasattr(given, "__iter__") || PyUnicode_Check(given.ptr()))
     throw Error(fmt::format("{}: a list of pairs of names is needed", what));
@@ -70,7 +77,7 @@ std::vector<AllowedPair> allowed_pairs_of(nb::handle given, std::string_view wha
     const auto name = [&](std::size_t i) { return nb::object(nb::borrow(pair)[i]); };
     if (!is_list || !PyUnicode_Check(name(0).ptr()) || !PyUnicode_Check(name(1).ptr()))
       throw Error(fmt::format("{}: entry {} is no pair of names", what, pairs.size()));
-    pairs.push_back({nb::cast<std::string>(name(0)), nb::cast<std::string>(name(1))});
+    pairs.push_back({text_given(name(0), what), text_given(name(1), what)});
   }
   return pairs;
 }
@@ -177,7 +184,7 @@ Robot described(const nb::dict& links, const nb::sequence& joints, const std::st
   RobotDescription robot{name, {}, {}, pose_of(base, "base")};
   for (const auto& [link, shapes] : links) {
     if (!PyUnicode_Check(link.ptr())) throw Error("links: names of links are needed as keys");
-    robot.links.push_back({nb::cast<std::string>(link), {}});
+    robot.links.push_back({text_given(link, "links"), {}});
     for (const SceneInstance& shape : instances_of(shapes, fmt::format("link '{}'", robot.links.back().name)))
       robot.links.back().shapes.push_back({shape.model.shape(), shape.pose, shape.solid, shape.name});
   }
@@ -197,9 +204,10 @@ nb::tuple arguments_of(const Robot& robot) {
   if (!robot.touching_attachments().empty())
     throw Error("a robot that holds something cannot be pickled; pickle it before something is attached");
   nb::dict links;
-  for (const RobotLink& link : robot.links()) links[link.name.c_str()] = nb::list();
+  const auto name_of = [&](Index link) { return nb::cast(robot.links()[link].name); };  // there may be a NUL in it
+  for (Index link = 0; link < robot.links().size(); ++link) links[name_of(link)] = nb::list();
   for (const Robot::Body& body : robot.bodies())
-    nb::borrow<nb::list>(links[robot.links()[body.link].name.c_str()])
+    nb::borrow<nb::list>(links[name_of(body.link)])
         .append(nb::cast(SceneInstance{body.model, body.pose, body.solid, body.name}));
   nb::list joints;
   for (const RobotJoint& joint : robot.joints()) joints.append(nb::cast(joint));
@@ -348,8 +356,9 @@ void bind_configurations(nb::class_<Robot>& bound) {
           "link_poses_each",
           [](const Robot& robot, const ArrayLike& configurations, int threads) {
             const Configurations given = configurations_of(configurations, robot, "configurations");
-            const auto poses =
-                without_lock([&, copy = robot] { return copy.link_poses_each(given.numbers(), threads); });
+            const auto poses = Interruptible(threads, false).ask([&, copy = robot](const BatchOptions& options) {
+              return copy.link_poses_each(given.numbers(), options.threads, options.progress);
+            });
             return matrices_told(poses, {given.given.rows(), robot.links().size(), 4, 4});
           },
           nb::arg("configurations"), nb::kw_only(), nb::arg("threads") = all_threads,

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct Configurations {
 
 /// The numbers themselves, not copied, as an array of this shape.
 [[nodiscard]] Floats numbers_told(std::vector<double> numbers, const std::vector<std::size_t>& shape);
+
+/// A str of Python. Throws Error, beginning with `what`, where it has lone surrogates, which are no text.
+[[nodiscard]] std::string text_given(nb::handle given, std::string_view what);
 
 /// Of a list of pairs of names, each with a reason or without.
 [[nodiscard]] std::vector<AllowedPair> allowed_pairs_of(nb::handle given, std::string_view what);

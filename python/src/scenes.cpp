@@ -227,13 +227,13 @@ Answers rows_of_pairs(const CheckAnswer& answer, const Value& value) {
   return structured(std::move(rows));
 }
 
-Answers contacts_of(const CheckAnswer& answer) {
+Answers contacts_told(const CheckAnswer& answer) {
   std::vector<std::vector<Contact>> lists;
   for (const PairAnswer& pair : answer.pairs) lists.push_back(pair.contacts);
   return structured(numbered<OfPair>(lists));
 }
 
-Answers regions_of(const CheckAnswer& answer) {
+Answers regions_told(const CheckAnswer& answer) {
   std::vector<std::vector<Region>> lists;
   for (const PairAnswer& pair : answer.pairs) lists.push_back(flat(pair.regions));
   return structured(numbered<OfPair>(lists));
@@ -289,8 +289,10 @@ Everything is told in structured arrays; where one has a field pair, that counts
           "pairs", [](const CheckAnswer& answer) { return structured(pairs_of(answer)); },
           "a, b, the members of Relation, clash (ClashKind) and tolerance (ClashTolerance), ascending by (a, b): a new "
           "array.")
-      .def_prop_ro("contacts", &contacts_of, "pair and the fields of contacts.")
-      .def_prop_ro("regions", &regions_of, "pair and the fields of contact_regions, of two meshes, with penetration.")
+      .def_prop_ro(
+          "contacts", [](const CheckAnswer& answer) { return contacts_told(answer); },
+          "pair and the fields of contacts.")
+      .def_prop_ro("regions", &regions_told, "pair and the fields of contact_regions, of two meshes, with penetration.")
       .def_prop_ro(
           "distances",
           [](const CheckAnswer& answer) {

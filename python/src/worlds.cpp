@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -191,7 +190,7 @@ Answers rows_of_details(const HeldPairs& pairs, const Value& value) {
   return structured(std::move(rows));
 }
 
-Answers contacts_of(const HeldPairs& pairs) {
+Answers contacts_told(const HeldPairs& pairs) {
   std::vector<std::vector<Contact>> lists;
   for (const PairReport& report : pairs.reports)
     lists.push_back(report.details == nullptr ? std::vector<Contact>{} : report.details->contacts);
@@ -236,7 +235,9 @@ void bind_pairs(nb::module_& module) {
             return rows_of_details<ShapeHit>(pairs, [](const PairDetails& d) { return d.first_contact; });
           },
           "pair and the members of ShapeHit, of those that met on the way of a body (World.move_along).")
-      .def_prop_ro("contacts", &contacts_of, "pair and the fields of contacts, if asked for.")
+      .def_prop_ro(
+          "contacts", [](const HeldPairs& pairs) { return contacts_told(pairs); },
+          "pair and the fields of contacts, if asked for.")
       .def(
           "manifold",
           [](const HeldPairs& pairs, std::size_t pair) -> std::optional<Manifold> {
@@ -482,7 +483,7 @@ void bind_state_of_world(BoundWorld& bound) {
             if (!found) return nb::none();
             return nb::make_tuple(found->bodies.a, found->bodies.b, static_cast<const Distance&>(*found));
           },
-          nb::arg("max_distance") = std::numeric_limits<double>::infinity(),
+          nb::arg("max_distance") = unlimited,
           nb::sig("def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | "
                   "None"),
           "The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where "

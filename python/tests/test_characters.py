@@ -24,6 +24,9 @@ def test_a_character_falls_walks_and_stops_at_a_wall():
     assert level_alone.moved[0] == 0.5
     slid = toccata.velocity_along((1, 0, -1), [step.contacts[0].normal])
     assert numpy.allclose(slid, (0, 0, -1))
+    for velocity, normals in (((numpy.nan, 0, 0), [(0, 0, 1)]), ((numpy.inf, 0, 0), []), ((1, 0, 0), [(0, 0, 1), (0, numpy.nan, 0)])):
+        with pytest.raises(toccata.Error, match="not finite"):
+            toccata.velocity_along(velocity, normals)
 
 
 def test_a_character_climbs_steps_as_its_options_say():

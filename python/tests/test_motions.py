@@ -1,5 +1,8 @@
 """What moves and turns: sweeps, features that move, the volume that is passed."""
 
+import gc
+import weakref
+
 import numpy
 import pytest
 
@@ -111,3 +114,23 @@ def test_a_motion_may_be_told_by_a_function(knot):
             toccata.RigidMotion.of(turned, speed=speed)
     with pytest.raises(TypeError):
         toccata.RigidMotion.of(5, speed=1)
+
+
+class Way:
+    """Leads on, and may hold the motion that it tells."""
+
+    def __call__(self, time: float) -> tuple[float, float, float]:
+        return (time, 0, 0)
+
+
+def test_a_motion_and_its_function_that_hold_each_other_are_collected():
+    for made in (lambda way: toccata.RigidMotion.of(way, speed=1), lambda way: toccata.RigidMotion.of(way, speed=1).carrying((0, 0, 1))):
+        way = Way()
+        way.motion = made(way)
+        known, copy = weakref.ref(way), way.motion.carrying((0, 1, 0))
+        del way
+        gc.collect()
+        assert known() is not None and copy.at(0.5).offset[:2].tolist() == [0.5, 1]
+        del copy
+        gc.collect()
+        assert known() is None

@@ -1,6 +1,7 @@
 """Robots: what Python answers is what the library answers, to the bit, and batches are each alone."""
 
 import copy
+import gc
 import itertools
 import math
 import pickle
@@ -78,6 +79,44 @@ def test_robots_and_joints_are_values(robot):
     holding = robot.with_attached("cup", toccata.Sphere(0.05), "link 7")
     with pytest.raises(toccata.Error, match="holds something"):
         pickle.dumps(holding)
+
+
+def test_scenes_hold_their_robot_and_are_copied_but_not_pickled():
+    scene = toccata.RobotScene(toccata.Robot.generated(1), [CRATE])
+    gc.collect()
+    many = scene.robot.sampled(50)
+    meets = scene.meets_each(many)
+    for again in (copy.copy(scene), copy.deepcopy(scene), toccata.RobotScene(scene.robot, scene.obstacles)):
+        assert 0 < meets.sum() < 50 and numpy.array_equal(again.meets_each(many), meets)
+    with pytest.raises(TypeError, match="pickle its robot"):
+        pickle.dumps(scene)
+
+
+def test_names_are_any_text():
+    """Also with a NUL in them, which ends a string of C; but surrogates by themselves are no text."""
+    joint = toccata.RobotJoint("j\0", toccata.RobotJointKind.revolute, "a\0b", "a\0c", limits=(-1, 1))
+    robot = toccata.Robot({"a\0b": [toccata.Sphere(1)], "a\0c": [toccata.Sphere(1)]}, [joint], "n\0")
+    for told in (robot, pickle.loads(pickle.dumps(robot))):
+        assert told.links == ["a\0b", "a\0c"] and told.name == "n\0" and told.link_of("a\0c") == 1 and len(told.posed([0])) == 2
+    scene = toccata.RobotScene(robot, allow_adjacent=False)
+    assert scene.names(scene.contacts([0])[0]) == ("a\0b", "a\0c")
+    assert not toccata.RobotScene(robot, allowed=[("a\0b", "a\0c")]).meets([0])
+    for ask in (lambda: toccata.Robot({"a\ud800": []}), lambda: toccata.RobotScene(robot, allowed=[("a\0b", "\ud800")])):
+        with pytest.raises(toccata.Error, match="no text"):
+            ask()
+    for ask in (lambda: toccata.RobotJoint("\ud800", toccata.RobotJointKind.fixed, "a", "b"), lambda: robot.link_of("\ud800")):
+        with pytest.raises(TypeError):
+            ask()
+
+
+def test_limits_as_wide_as_doubles():
+    kind, ball = toccata.RobotJointKind.prismatic, toccata.Sphere(1)
+    joints = [toccata.RobotJoint("x", kind, "a", "b", axis=(1, 0, 0), limits=(-1e308, 1e308)),
+              toccata.RobotJoint("y", kind, "b", "c", axis=(0, 1, 0), limits=(-1.7e308, 1.7e308))]
+    robot = toccata.Robot({"a": [ball], "b": [ball], "c": [ball]}, joints)
+    many = robot.sampled(200)
+    assert numpy.isfinite(many).all() and numpy.abs(many).max(axis=0).min() > 5e307 and (many.min(axis=0) < 0).all()
+    assert robot.allowed_pairs(200) == [("a", "b", "adjacent"), ("a", "c", "at rest"), ("b", "c", "adjacent")]
 
 
 def test_link_poses_are_matrices(robot):

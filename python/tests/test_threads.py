@@ -9,6 +9,7 @@ import threading
 import time
 
 import numpy
+import pytest
 
 import toccata
 from conftest import matrices
@@ -106,6 +107,42 @@ except KeyboardInterrupt:
 def test_ctrl_c_ends_a_batch():
     run = subprocess.run([sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60)
     assert run.stdout.split() == ["interrupted", "True"], run.stdout + run.stderr
+
+
+# The second signal ends it. Where nobody looks for signals while it is asked, both are one, after it.
+INTERRUPTED_WITHIN = """
+import signal, numpy, toccata
+come = []
+def stop(*_):
+    come.append(1)
+    if len(come) == 2:
+        raise KeyboardInterrupt
+signal.signal(signal.SIGALRM, stop)
+knot = toccata.generate_mesh("torus-knot")
+ball = toccata.generate_mesh("icosphere", subdivisions=4)
+robot = toccata.Robot.generated(1)
+GIVEN
+signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
+try:
+    answer = ASKED
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    print("not interrupted")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+@pytest.mark.parametrize(("given", "asked"), [
+    ("many = robot.sampled(300_000)", "robot.link_poses_each(many, threads=1)"),
+    ("", "robot.allowed_pairs(500_000, threads=1)"),
+    ("mesh = toccata.DeformingMesh(ball, -ball.vertices)", "mesh.free_steps()"),
+    ("mesh, other = toccata.DeformingMesh(ball, -ball.vertices), toccata.DeformingMesh(ball)", "mesh.free_steps(other)"),
+    ("ways = [toccata.RigidMotion(None, translation=(9, 0, 0), turns=2)] * 2_000", "toccata.sweep_each(knot, ways, knot, (4.5, 0, 0), threads=1)"),
+], ids=["link_poses_each", "allowed_pairs", "free_steps", "free_steps of two", "sweep_each"])
+def test_ctrl_c_ends_what_takes_long(given, asked):
+    program = INTERRUPTED_WITHIN.replace("GIVEN", given).replace("ASKED", asked)
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert run.stdout.split() == ["interrupted"], run.stdout + run.stderr
 
 
 def child(results: multiprocessing.Queue) -> None:

@@ -1252,7 +1252,7 @@ class MoverOptions:
 
 def velocity_along(velocity: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike) -> toccata._typing.Floats:
     """
-    The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character.
+    The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a number that is not finite.
     """
 
 class SceneInstance:
@@ -3288,6 +3288,13 @@ class RobotScene:
         """
         Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle.
         """
+
+    def __copy__(self) -> RobotScene:
+        """It does not change: all is shared."""
+
+    def __deepcopy__(self, memo: dict[int, object]) -> RobotScene: ...
+
+    def __reduce__(self) -> object: ...
 
     def __repr__(self) -> str: ...
 

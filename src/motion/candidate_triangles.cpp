@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "query/meshes/wide_cull.hpp"
+#include "query/scenes/task_reporter.hpp"
 #include "toccata/core/parallel.hpp"
 #include "trees/shared_entries.hpp"
 #include "trees/wide_walk.hpp"
@@ -35,6 +36,7 @@ class ThreadVisitor final : public WideVisitor {
 class SharedBlocks {
  public:
   explicit SharedBlocks(std::size_t count) : count_(static_cast<std::uint32_t>(count)) {}
+  [[nodiscard]] std::size_t shares() const { return (count_ + blocks_at_once - 1) / blocks_at_once; }
   /// Empty when there are none left.
   BlockRange take() {
     const std::uint32_t first = std::min(next_.fetch_add(blocks_at_once, std::memory_order_relaxed), count_);
@@ -48,34 +50,42 @@ class SharedBlocks {
 
 }  // namespace
 
-void visit_candidates(const WideBvh& a, const WideBvh& b, double reach, int threads, SeeCandidates see) {
+void visit_candidates(const WideBvh& a, const WideBvh& b, double reach, const CandidateWork& work, SeeCandidates see) {
   const WideCull cull = wide_cull_in_one_frame(a, b, reach);
   const WideWalk walk(a, b, cull);
   std::atomic<bool> ended = false;
   WideFrontier frontier;
   walk.start(frontier, WideWalk::largest_batch);
-  const auto count = static_cast<std::size_t>(thread_count(threads));
+  const auto count = static_cast<std::size_t>(thread_count(work.threads));
   ThreadVisitor first(0, see, ended);
   walk.spread(frontier, SharedEntries::wanted_per_thread * count, first);
   SharedEntries entries(frontier);
-  parallel_for(count, threads, [&](std::size_t thread) {
+  TaskReporter reporter(work.progress, entries.shares());
+  parallel_for(count, work.threads, [&](std::size_t thread) {
     ThreadVisitor visitor(thread, see, ended);
     WideFrontier own;
     walk.start(own, WideWalk::largest_batch);
-    while (!visitor.has_ended() && entries.take(own)) walk.run(own, visitor);
+    while (!visitor.has_ended() && !reporter.cancelled() && entries.take(own)) {
+      walk.run(own, visitor);
+      reporter.finished_one();
+    }
   });
 }
 
-void visit_candidates(const WideBvh& tree, double reach, int threads, SeeCandidates see) {
+void visit_candidates(const WideBvh& tree, double reach, const CandidateWork& work, SeeCandidates see) {
   const WideCull cull = wide_cull_in_one_frame(tree, tree, reach);
   const WideWalk walk(tree, tree, cull);
   std::atomic<bool> ended = false;
   SharedBlocks blocks(tree.blocks.size());
-  parallel_for(static_cast<std::size_t>(thread_count(threads)), threads, [&](std::size_t thread) {
+  TaskReporter reporter(work.progress, blocks.shares());
+  parallel_for(static_cast<std::size_t>(thread_count(work.threads)), work.threads, [&](std::size_t thread) {
     ThreadVisitor visitor(thread, see, ended);
     WideFrontier own;
-    for (BlockRange range = blocks.take(); range.first < range.last && !visitor.has_ended(); range = blocks.take())
+    const auto take = [&] { return visitor.has_ended() || reporter.cancelled() ? BlockRange{} : blocks.take(); };
+    for (BlockRange range = take(); range.first < range.last; range = take()) {
       walk.run_self(own, WideWalk::largest_batch, range, visitor);
+      reporter.finished_one();
+    }
   });
 }
 

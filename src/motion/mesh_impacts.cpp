@@ -149,10 +149,11 @@ void search_features(const FeatureQuestion& question, std::vector<Sink>& sinks) 
   const auto see = [&](std::size_t thread, std::span<const ItemPair> pairs) {
     return FeaturePairs<Sink>(asked, sinks[thread]).see(pairs);
   };
+  const CandidateWork work{options.threads, options.progress};
   if (is_within_one)
-    visit_candidates(a.tree(), options.separation, options.threads, see);
+    visit_candidates(a.tree(), options.separation, work, see);
   else
-    visit_candidates(a.tree(), b.tree(), options.separation, options.threads, see);
+    visit_candidates(a.tree(), b.tree(), options.separation, work, see);
 }
 
 std::string feature_told(const DeformingMesh& mesh, const MeshFeature& feature) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "motion/approach.hpp"
 #include "support/deforming_cases.hpp"
@@ -198,6 +199,33 @@ TEST(DeformingMesh, RefittedOrBuiltAnewTheAnswersAreTheSame) {
   static_cast<void>(stepped.advance(after));
   const DeformingMesh anew(square_sheet_mesh(12).with_vertices({built.end().begin(), built.end().end()}), after);
   EXPECT_EQ(impacts(stepped), impacts(anew));
+}
+
+TEST(DeformingMesh, ProgressIsToldToTheEndAndMayCancel) {
+  const TriangleMesh ball = noise_sphere_mesh({.subdivisions = 3});
+  std::vector<Vec3> through(ball.vertices().begin(), ball.vertices().end());
+  for (Vec3& v : through) v = v + Vec3{0.5, 0, 0};
+  const DeformingMesh moving(ball, through), still(ball);
+  for (const int threads : {1, 3}) {
+    std::size_t last = 0, of = 0;
+    const Progress count = [&](std::size_t done, std::size_t total) {
+      EXPECT_EQ(done, last + 1);
+      last = done, of = total;
+    };
+    const ImpactOptions counted{.threads = threads, .progress = count}, uncounted{.threads = threads};
+    EXPECT_EQ(free_steps(moving, counted), free_steps(moving, uncounted));
+    EXPECT_GT(of, 1U);
+    EXPECT_EQ(last, of);
+    last = 0;
+    EXPECT_EQ(impacts(moving, still, counted), impacts(moving, still, uncounted));
+    EXPECT_EQ(last, of);
+    const Progress cancel = [](std::size_t done, std::size_t) {
+      if (done == 2) throw std::runtime_error("enough");
+    };
+    const ImpactOptions cancelled{.threads = threads, .progress = cancel};
+    EXPECT_THROW((void)impacts(moving, still, cancelled), std::runtime_error);
+    EXPECT_THROW((void)free_steps(moving, cancelled), std::runtime_error);
+  }
 }
 
 TEST(DeformingMesh, BadInputIsAnErrorThatNamesIt) {

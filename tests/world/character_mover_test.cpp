@@ -437,6 +437,8 @@ TEST(CharacterMover, VelocityLosesWhatGoesIntoContacts) {
   const std::vector<Vec3> corner{{0, 0, 1}, {-1, 0, 0}};
   EXPECT_EQ(velocity_along({1, 2, -3}, corner), (Vec3{0, 2, 0}));
   EXPECT_EQ(velocity_along({-1, 2, 3}, corner), (Vec3{-1, 2, 3}));
+  EXPECT_THROW((void)velocity_along({1, NAN, 0}, corner), Error);
+  EXPECT_THROW((void)velocity_along({1, 2, 3}, std::vector<Vec3>{{0, 0, 1}, {0, INFINITY, 0}}), Error);
 }
 
 TEST(CharacterMover, TellsWhatIsAskedWrongly) {

@@ -91,6 +91,7 @@ struct ImpactOptions {
   /// starts, to the bit: then no edge is looked at that might pierce a face at the start.
   bool starts_free = false;
   int threads = own_thread;
+  Progress progress{};
 };
 
 // All are exact without a separation, and the same on any number of threads. They throw Error for a separation that is

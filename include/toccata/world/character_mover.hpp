@@ -95,7 +95,7 @@ template <class Objects>
     std::span<const MovedObject<typename Objects::Id>> moved = {});
 
 /// The vector nearest to `velocity` that goes into none of the planes: v · n ≥ 0 for every normal. So a velocity loses
-/// what goes into the contacts of a step. Normals are of length 1.
+/// what goes into the contacts of a step. Normals are of length 1. Throws Error for a number that is not finite.
 [[nodiscard]] Vec3 velocity_along(const Vec3& velocity, std::span<const Vec3> normals);
 
 }  // namespace toccata

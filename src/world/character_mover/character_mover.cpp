@@ -236,8 +236,12 @@ template MoverStep<BodyId> move_character(const ObjectQueries<WorldBodies>&, con
                                           std::span<const MovedObject<BodyId>>);
 
 Vec3 velocity_along(const Vec3& velocity, std::span<const Vec3> normals) {
+  if (!is_finite(velocity)) throw Error("the velocity is not finite");
   std::vector<MotionPlane> planes;
-  for (const Vec3& normal : normals) planes.push_back({normal, 0});
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!is_finite(normals[i])) throw Error(fmt::format("normal {} is not finite", i));
+    planes.push_back({normals[i], 0});
+  }
   return nearest_motion(velocity, planes).value_or(Vec3{});
 }
 
