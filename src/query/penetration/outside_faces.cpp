@@ -34,6 +34,7 @@ OutsideFaces::OutsideFaces(const ConvexHull& body) : body_(body) {
 
 bool OutsideFaces::tell_apart(const Triangle& triangle) {
   const double reach = std::max(reach_, reach_of(triangle));
+  if (!(reach < 0x1p1000)) return false;  // sums of products might overflow
   if (is_before(faces_[last_], triangle, reach)) return true;
   for (std::size_t i = 0; i < faces_.size(); ++i)
     if (i != last_ && is_before(faces_[i], triangle, reach)) {
