@@ -24,6 +24,15 @@ toccata_flags(toccata_test_flags ON)
 if(TOCCATA_SANITIZE)
   add_compile_options(-fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TOCCATA_SANITIZE})
+  # As g++ tells the sources; clang 14 does not.
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    foreach(kind IN ITEMS address thread)
+      if(TOCCATA_SANITIZE MATCHES ${kind})
+        string(TOUPPER ${kind} name)
+        add_compile_definitions(__SANITIZE_${name}__)
+      endif()
+    endforeach()
+  endif()
 endif()
 
 # toccata_sanitize(TARGET): this target alone, under the address sanitizer and those checks of undefined behaviour that do

@@ -291,7 +291,7 @@ struct RodBesideBox {
 /// By the slope that is left, no point along the segment can be nearer than it tells: the squared distance is convex.
 /// Products are off by less than 2^-47 of the square of the sizes.
 template <class Corners>
-HWY_NOINLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
   const OneVector from = minus(a.start, b.centre), along = minus(a.end, a.start);
   const OneVector local = b.local(from), way = b.local(along);
   const SlopeAlong slope{numbers_of(local), numbers_of(way), numbers_of(b.half)};

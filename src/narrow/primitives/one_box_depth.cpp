@@ -62,23 +62,48 @@ HWY_INLINE bool is_thick(const OneBlock<Corners>& b) {
   return half[0] > 4 * b.slack && half[1] > 4 * b.slack && half[2] > 4 * b.slack;
 }
 
+// Of a core that does not reach the box's. Called, and not compiled again into each that asks.
+
+template <class Core, class Block, class Beside>
+HWY_NOINLINE Penetration depth_outside(const Core& a, const Block& b, const Beside& beside) {
+  bool is_certain = false;
+  const auto cores = cores_beside(a, b, beside, is_certain);
+  Penetration depth = depth_of(cores);
+  if (!is_certain) depth = unknown_depth();
+  return depth;
+}
+
+template <class Core, class Block, class Beside>
+HWY_NOINLINE Distance distance_outside(const Core& a, const Block& b, const Beside& beside) {
+  bool is_certain = false;
+  const auto cores = cores_beside(a, b, beside, is_certain);
+  Distance distance = distance_of(cores);
+  if (!is_certain) distance = unknown_distance();
+  return distance;
+}
+
+template <class Core, class Block, class Beside>
+HWY_NOINLINE Manifold manifold_outside(const Core& a, const Block& b, const Beside& beside) {
+  bool is_certain = false;
+  const auto cores = cores_beside(a, b, beside, is_certain);
+  Manifold manifold = manifold_of(cores);
+  if (!is_certain) manifold = unknown_manifold();
+  return manifold;
+}
+
 template <class Corners>
-HWY_NOINLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_depth();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return across_gap(a.centre, a.radius, b, at);
   if (!contact.is_outside) return depth_within(way_out(b, at, a.centre, from), a.radius, b.radius);
-  bool is_certain = false;
-  const GrownCores<2, 1> cores = cores_beside(a, b, at, is_certain);
-  Penetration depth = depth_of(cores);
-  if (!is_certain) depth = unknown_depth();
-  return depth;
+  return depth_outside(a, b, at);
 }
 
 template <class Corners>
-HWY_NOINLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_depth();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
@@ -87,34 +112,24 @@ HWY_NOINLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) 
     return across_gap(on_a, a.radius, b, rod.nearest);
   }
   if (!contact.is_outside) return depth_within(way_out(a, b, rod), a.radius, b.radius);
-  bool is_certain = false;
-  const GrownCores<2, 2> cores = cores_beside(a, b, rod, is_certain);
-  Penetration depth = depth_of(cores);
-  if (!is_certain) depth = unknown_depth();
-  return depth;
+  return depth_outside(a, b, rod);
 }
 
 // Distances.
 
 template <class Corners>
-HWY_NOINLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
-  bool is_certain = false;
-  const GrownCores<2, 1> cores = cores_beside(a, b, at, is_certain);
-  Distance distance = distance_of(cores);
-  if (!(is_certain & (at.beyond[at.across] > at.error))) distance = unknown_distance();
-  return distance;
+  if (!(at.beyond[at.across] > at.error)) return unknown_distance();
+  return distance_outside(a, b, at);
 }
 
 template <class Corners>
-HWY_NOINLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
   const RodBesideBox rod = beside(a, b);
-  bool is_certain = false;
-  const GrownCores<2, 2> cores = cores_beside(a, b, rod, is_certain);
-  Distance distance = distance_of(cores);
-  if (!(is_certain & (rod.nearest.beyond[rod.nearest.across] > rod.nearest.error))) distance = unknown_distance();
-  return distance;
+  if (!(rod.nearest.beyond[rod.nearest.across] > rod.nearest.error)) return unknown_distance();
+  return distance_outside(a, b, rod);
 }
 
 // Contact points.
@@ -133,18 +148,14 @@ HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double r
 }
 
 template <class Corners>
-HWY_NOINLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_manifold();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return {};
   if (!contact.is_outside) return manifold_within(way_out(b, at, a.centre, from), a.radius, b.radius);
-  bool is_certain = false;
-  const GrownCores<2, 1> cores = cores_beside(a, b, at, is_certain);
-  Manifold manifold = manifold_of(cores);
-  if (!is_certain) manifold = unknown_manifold();
-  return manifold;
+  return manifold_outside(a, b, at);
 }
 
 /// The other end of a segment, as far as it lies over the face, is so far from it that it is no point of the contact.
@@ -174,17 +185,13 @@ HWY_INLINE bool is_of_one_point(const RodBesideBox& rod, double reach) {
 }
 
 template <class Corners>
-HWY_NOINLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
   if (!is_thick(b)) return unknown_manifold();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
   if (contact.is_apart) return {};
   if (!contact.is_outside || !is_of_one_point(rod, a.radius + b.radius)) return unknown_manifold();
-  bool is_certain = false;
-  const GrownCores<2, 2> cores = cores_beside(a, b, rod, is_certain);
-  Manifold manifold = manifold_of(cores);
-  if (!is_certain) manifold = unknown_manifold();
-  return manifold;
+  return manifold_outside(a, b, rod);
 }
 
 HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock<GivenCorners>& b) {
