@@ -28,11 +28,19 @@ std::optional<bool> is_first(const GivenBox& a, const GivenBox& b) {
   return lexicographically_less(p, q);
 }
 
+/// In canonical order.
+std::optional<Penetration> formula_depth(const GivenBox& a, const GivenBox& b) {
+  MeetingBoxes found;
+  if (const std::optional<CoreSeparation> core = part_rigid_boxes(a.view, b.view, 0, found))
+    return offset_outward(*core, 0, 0);
+  if (found.nearness != Nearness::meet) return {};
+  return penetration_of_close_boxes(a.as_convex(), b.as_convex(), found);
+}
+
 Penetration penetration_of(const GivenBox& a, const GivenBox& b) {
   if (const std::optional<bool> is_ordered = is_first(a, b)) {
-    const BoxView first = *is_ordered ? a.view : b.view, second = *is_ordered ? b.view : a.view;
-    if (const std::optional<CoreSeparation> core = part_rigid_boxes(first, second, 0))
-      return *is_ordered ? offset_outward(*core, 0, 0) : flipped(offset_outward(*core, 0, 0));
+    const std::optional<Penetration> found = *is_ordered ? formula_depth(a, b) : formula_depth(b, a);
+    if (found) return *is_ordered ? *found : flipped(*found);
   }
   return penetration(a.as_convex(), b.as_convex());
 }

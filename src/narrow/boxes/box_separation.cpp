@@ -182,14 +182,13 @@ bool others_are_deeper(const BoxView& a, const BoxView& b, const RigidBoxAxes& a
 }
 
 /// Where corners' rounding is seen: by the facet of the least axis alone, with more digits.
-std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const PosedPolytope& b) {
-  RigidBoxAxes axes;
-  const BoxView view_a = view_of(a), view_b = view_of(b);
-  if (nearness_of_rigid_boxes(view_a, view_b, axes) != Nearness::meet) return {};
-  const ChosenBoxAxis axis = least_axis(view_a, view_b, axes, 1);
-  const std::optional<PreciseFacet> facet = precise_facet(a, b, facet_corners(a, b, axis));
+std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const PosedPolytope& b,
+                                                 const MeetingBoxes& found) {
+  if (found.nearness != Nearness::meet) return {};
+  const std::optional<PreciseFacet> facet = precise_facet(a, b, facet_corners(a, b, found.least));
   if (!facet) return {};
-  const bool is_nearest = is_certainly_nearest(a, b, *facet) || others_are_deeper(view_a, view_b, axes, axis, *facet);
+  const bool is_nearest =
+      is_certainly_nearest(a, b, *facet) || others_are_deeper(view_of(a), view_of(b), found.axes, found.least, *facet);
   return is_nearest ? std::optional(facet->separation) : std::nullopt;
 }
 
@@ -273,13 +272,14 @@ EdgePoints points_of_edges(const BoxView& a, const BoxView& b, const ChosenBoxAx
   return {p + s * u, q + t * v};
 }
 
-std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach_of_radii) {
+std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach_of_radii,
+                                               MeetingBoxes& found) {
   if (!is_rigid_and_plain(a) || !is_rigid_and_plain(b)) return {};
-  RigidBoxAxes axes;
-  const Nearness nearness = nearness_of_rigid_boxes(a, b, axes);
-  if (nearness == Nearness::apart && reach_of_radii == 0) return parted_along(a, b, axes.parting);
-  if (nearness != Nearness::meet) return {};
-  const ChosenBoxAxis axis = least_axis(a, b, axes, 1);
+  const RigidBoxAxes& axes = found.axes;
+  found.nearness = nearness_of_rigid_boxes(a, b, found.axes);
+  if (found.nearness == Nearness::apart && reach_of_radii == 0) return parted_along(a, b, axes.parting);
+  if (found.nearness != Nearness::meet) return {};
+  const ChosenBoxAxis& axis = found.least = least_axis(a, b, axes, 1);
   const Vec3 d = b.box->centre - a.box->centre, &n = axis.direction;
   const double both = reach(a, n) + reach(b, n), way = dot(n, d), depth = both - way;
   const double sizes = sum(a.box->half_extents) + sum(b.box->half_extents);
@@ -290,11 +290,11 @@ std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& 
   separation.kind = CoreSeparation::Kind::deep;
   separation.direction = n;
   separation.upper = (depth + error) * (1 + 0x1p-49);
+  const double widest = relative_width_of_depth * (separation.upper + reach_of_radii);
+  if (!(2 * error <= widest)) return {};
   const LowerBound bound(axes, b.box->half_extents, sizes);
   separation.lower = bound.but_for(axis, depth - error) * (1 - 0x1p-49);
-  if (!(separation.lower > 0) ||
-      !(separation.upper - separation.lower <= relative_width_of_depth * (separation.upper + reach_of_radii)))
-    return {};
+  if (!(separation.lower > 0) || !(separation.upper - separation.lower <= widest)) return {};
   if (!is_of_edges(axis)) {
     if (!find_points_of_face(separation, a, b, axes, axis)) return {};
     return separation;
@@ -306,6 +306,13 @@ std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& 
   return separation;
 }
 
+std::optional<Penetration> penetration_of_close_boxes(const PosedPolytope& a, const PosedPolytope& b,
+                                                      const MeetingBoxes& found) {
+  if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return aligned->penetration;
+  const std::optional<CoreSeparation> core = part_shallow_boxes(a, b, found);
+  return core ? std::optional(offset_outward(*core, a.radius(), b.radius())) : std::nullopt;
+}
+
 std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const PosedPolytope& b) {
   if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
   const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));
@@ -313,13 +320,10 @@ std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const Po
     const std::optional<Penetration> exchanged = penetration_of_boxes(b, a);
     return exchanged ? flipped(*exchanged) : exchanged;
   }
-  std::optional<CoreSeparation> core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius());
-  if (!core) {
-    if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return aligned->penetration;
-    core = part_shallow_boxes(a, b);
-  }
-  if (!core) return {};
-  return offset_outward(*core, a.radius(), b.radius());
+  MeetingBoxes found;
+  if (const auto core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius(), found))
+    return offset_outward(*core, a.radius(), b.radius());
+  return penetration_of_close_boxes(a, b, found);
 }
 
 }  // namespace toccata

@@ -1,4 +1,5 @@
 #include "narrow/convex/convex_containment.hpp"
+#include "narrow/boxes/rigid_box_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -172,6 +173,7 @@ ContainmentAnswer containment_in_interior(const PosedPolytope& a, const PosedPol
 bool has_interior(const PosedPolytope& shape) {
   if (shape.radius() > 0) return true;
   if (shape.vertex_count() < 4) return false;
+  if (is_rigid_and_plain(view_of(shape))) return true;
   // Of a box the corners 0, 1, 2 and 4; of a hull any four, which nearly always are enough.
   const Vec3 a = shape.vertex(0), b = shape.vertex(1), c = shape.vertex(2), d = shape.vertex(shape.vertex_count() / 2);
   const Filtered volume = filtered_orient3d(a, b, c, d);

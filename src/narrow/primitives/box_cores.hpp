@@ -160,7 +160,7 @@ HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
 /// A point that is certainly outside of the box.
 template <class Corners>
 HWY_NOINLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock<Corners>& b, const BesideBox& beside_b,
-                                         bool& is_certain) {
+                                           bool& is_certain) {
   const BoxSide side = side_of(b, beside_b, a.centre);
   is_certain = side.is_certain;
   return {{a.centre, side.corner, side.edge, {side.beyond}, b.slack},
@@ -215,7 +215,7 @@ HWY_INLINE OneVector outward_normal(const OneBlock<Corners>& block, std::size_t 
 /// off.
 template <class Corners>
 HWY_NOINLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point,
-                          const OneVector& from_centre) {
+                            const OneVector& from_centre) {
   const std::size_t k = b.across;
   const bool is_beside = std::fabs(b.at[k]) > 4 * b.error, is_within = b.beyond[k] < -4 * b.error;
   bool is_least = is_beside & is_within;
@@ -351,7 +351,7 @@ HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock<Corners
 /// The segment does not reach the box.
 template <class Corners>
 HWY_NOINLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
-                                         bool& is_certain) {
+                                           bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
 }
