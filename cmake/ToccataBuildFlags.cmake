@@ -36,8 +36,8 @@ if(TOCCATA_SANITIZE)
 endif()
 
 # toccata_sanitize(TARGET): this target alone, under the address sanitizer and those checks of undefined behaviour that do
-# not double the time of its compilation. What watches the life of each variable takes a third of it and is left to the
-# preset asan-ubsan.
+# not double the time of its compilation. What watches the life of each variable takes a third of it. The others are left to
+# the preset asan-ubsan, but for files that are compiled for every SIMD level.
 set(TOCCATA_QUICK_CHECKS -fsanitize=address,undefined -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr -fno-sanitize-address-use-after-scope -fno-sanitize-recover=all)
 function(toccata_sanitize target)
   target_compile_options(${target} PRIVATE -O1 -g1 ${TOCCATA_QUICK_CHECKS} -fno-omit-frame-pointer -Wno-maybe-uninitialized)

@@ -1,4 +1,4 @@
-# Install rules: the two libraries with their headers, a CMake package, relocatable pkg-config files, and the command.
+# Install rules: the libraries with their headers, a CMake package, relocatable pkg-config files, and the command.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -6,6 +6,11 @@ set(TOCCATA_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Toccata)
 install(TARGETS toccata toccata_reports EXPORT ToccataTargets)
 install(DIRECTORY include/toccata DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ToccataTargets NAMESPACE Toccata:: DESTINATION ${TOCCATA_CMAKE_FOLDER})
+# A package of its own: who asks for it needs MPI.
+if(TOCCATA_WITH_MPI)
+  install(TARGETS toccata_distributed EXPORT ToccataDistributedTargets)
+  install(EXPORT ToccataDistributedTargets NAMESPACE Toccata:: DESTINATION ${TOCCATA_CMAKE_FOLDER})
+endif()
 if(TOCCATA_BUILD_COMMAND)
   install(TARGETS toccata_command)
 endif()

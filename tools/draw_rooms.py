@@ -33,6 +33,7 @@ WORDS = {
     "io": "files of meshes, scenes, poses",
     "robots": "links, joints, configurations, edges",
     "reports": "reports, pages, plots: a library of its own",
+    "distributed": "worlds over MPI: a library of its own",
 }
 COLOURS = ["#4e79a7", "#b6672a", "#3f8f5b", "#b5454a", "#7b62a3", "#8c6d52", "#c2589a", "#5f6f7f", "#8a8a20", "#2f93a8",
            "#a0522d", "#55609c", "#404a57", "#7a8f3c", "#9c4f78", "#5b7f2b"]

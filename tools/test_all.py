@@ -4,7 +4,8 @@
 This may be stopped and started at will: what passed is not run again for the same sources, neither a step nor a part of
 one (the tests of a room, a fuzzer, a constant of a proof, a unit of tidy). Which steps passed, for which commit and how
 long they took is kept in docs/evidence/test-all.json, the counts of the sweeps in docs/evidence/<sweep>.json.
-`--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps.
+`--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps, `--anew` runs them again
+for this commit, whatever others have compared, and `--scale F` multiplies what they have to compare.
 """
 import argparse
 import hashlib
@@ -23,8 +24,9 @@ EVIDENCE = ROOT / "docs/evidence"
 FUZZ_SECONDS = 120
 CODE = ["apps", "cmake", "include", "src", "tests", "CMakeLists.txt", "CMakePresets.json"]
 ALL = [".", ":!docs/evidence"]
-# What does not depend on the compiler, and nothing but repeats where the step test has run: texts, and pages in a browser.
-TEXTS = "^viewer/|^repository/(format|layering|ledger|proofs|recipes|rooms)$"
+# What does not depend on the compiler, and nothing but repeats where the step test has run: texts, pages in a browser, and
+# the Python package.
+TEXTS = "^python/|^viewer/|^repository/(format|layering|ledger|proofs|recipes|rooms)$"
 BEGINS_THREADS = re.compile(r"core/parallel\.hpp|<(atomic|condition_variable|future|mutex|thread)>|tbb/")
 SANITIZED = "clang libclang-rt-14-dev"  # which compiles what sanitizers put in between in less time than g++
 WITH_CGAL = "-DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_WITH_CGAL=ON"
@@ -68,19 +70,17 @@ STEPS = {
                   packages="$(cat tools/packages-bench-peers.txt)"),
     "page": Step("python3 tests/viewer/check_template.py --npm", ["apps/viewer", "tests/viewer"]),
     "clang": Step("configure clang; build clang", ALL, "clang", tests="clang", leaving=TEXTS),
-    "debug": Step("configure debug; build debug", ALL, tests="debug", leaving="^viewer/|^repository/"),
+    "debug": Step("configure debug; build debug", ALL, tests="debug", leaving="^python/|^viewer/|^repository/"),
     "tsan": Step(f"configure tsan; build tsan {programs(tested_rooms() - rooms_without_threads())}", packages=SANITIZED, tests="tsan",
                  leaving=f"^({'|'.join(sorted(rooms_without_threads()))})/", environment="TSAN_OPTIONS=ignore_noninstrumented_modules=1"),
     "tidy": Step("configure clang -DTOCCATA_BUILD_TESTS=ON; python3 tools/check_tidy.py --all", [*CODE, ".clang-tidy", "tools"], "clang clang-tidy"),
     "proofs": Step("python3 tools/check_proofs.py", [*CODE, "tools"]),
-    # The library is compiled with the command, with which the package's answers are compared.
-    "python": Step("configure release; build release; cmake --install build/release --prefix build/python/prefix >/dev/null; "
+    # The command is built with the library, since the package's answers are compared with its.
+    "python": Step("configure release; build release toccata_reports toccata_command; cmake --install build/release --prefix build/python/prefix >/dev/null; "
                    "python3 tools/check_wheel.py --prefix build/python/prefix",
                    [*CODE, "docs", "python", "pyproject.toml", "tools"], "python3-dev python3-venv"),
-    "python-asan": Step("python3 -m venv build/python/asan; build/python/asan/bin/pip install --quiet nanobind numpy pytest hypothesis; "
-                        "cmake --preset asan-ubsan -B build/python/sanitized -DTOCCATA_BUILD_PYTHON=ON -DTOCCATA_BUILD_TESTS=OFF -DTOCCATA_BUILD_COMMAND=OFF "
-                        "-DTOCCATA_INSTALL=OFF -DTOCCATA_WARNINGS=OFF -DPython_EXECUTABLE=$PWD/build/python/asan/bin/python >/dev/null; "
-                        "ninja -C build/python/sanitized toccata_python; bash tools/test_python_sanitized.sh build/python/sanitized/python build/python/asan/bin/python",
+    # The bindings alone are compiled under sanitizers, against the libraries that the tests' second run has.
+    "python-asan": Step("configure_tests ON; build release toccata_reports_sanitized; bash tools/test_python_sanitized.sh build/release",
                         [*CODE, "python", "tools"], "python3-dev python3-venv"),
     "formats": Step("configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON; "
                     "build release toccata_command toccata_read_step toccata_write_step; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
@@ -189,11 +189,13 @@ def passes(name):
     return True
 
 
-def run_sweeps(minutes):
+def run_sweeps(options):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
-    limit = f" --minutes {minutes}" if minutes else ""
-    return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}{limit}") == 0
+    for name, value in (("minutes", options.minutes), ("scale", options.scale)):
+        run += "" if value is None else f" --{name} {value}"
+    run += " --anew" if options.anew else ""
+    return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}") == 0
 
 
 def install(chosen):
@@ -205,11 +207,13 @@ def main():
     parser = argparse.ArgumentParser(prog="./toccata test --all")
     parser.add_argument("--only", nargs="+", choices=[*STEPS, "sweeps"], default=[*STEPS, "sweeps"])
     parser.add_argument("--minutes", type=float)
+    parser.add_argument("--scale", type=float)
+    parser.add_argument("--anew", action="store_true")
     options = parser.parse_args()
     if not install(options.only):
         return 2
     failed = [name for name in STEPS if name in options.only and not passes(name)]
-    if "sweeps" in options.only and not run_sweeps(options.minutes):
+    if "sweeps" in options.only and not run_sweeps(options):
         failed.append("sweeps")
     print(f"failed: {', '.join(failed)}" if failed else "all passed")
     return 1 if failed else 0

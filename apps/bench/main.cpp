@@ -10,13 +10,13 @@
 #include "library.hpp"
 #include "movers.hpp"
 #include "narrow/triangle_pairs.hpp"
+#include "number_checks.hpp"
 #include "subdivisions.hpp"
 #include "sums.hpp"
 #include "sweeps.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
-#include "whole_number.hpp"
 
 namespace toccata::bench {
 namespace {

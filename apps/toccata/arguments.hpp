@@ -55,7 +55,7 @@ struct PosedArguments {
   std::string glb_option = "--glb";  ///< how it is named on the command line
   Format format = Format::table;
   int threads = 0;
-  double limit_time = std::numeric_limits<double>::infinity();  ///< in seconds, of the whole run of a check
+  double stop_after = std::numeric_limits<double>::infinity();  ///< in seconds, of the whole run of a check
 
   // As they are written, for `take_words`.
   std::vector<std::string> pose_a_words, pose_b_words;
@@ -68,9 +68,9 @@ struct CheckArguments : PosedArguments {
   Touching touching = Touching::count;
   bool faces = false;
   bool penetration = false;
-  std::string precision_word, time_limit_word;  ///< of penetrations, as they are written
-  std::string clearance;                        ///< a length, or "all"; empty: none is asked for
-  std::vector<std::string> clearances_of;       ///< "NAME,NAME=LENGTH"
+  std::string precision_word, time_per_depth_word;  ///< of penetrations, as they are written
+  std::string clearance;                            ///< a length, or "all"; empty: none is asked for
+  std::vector<std::string> clearances_of;           ///< "NAME,NAME=LENGTH"
 };
 
 struct CrowdArguments : PosedArguments {

@@ -27,7 +27,7 @@ SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, const 
   AskOptions options{.threads = arguments.threads};
   std::optional<EarlyEnd> end;
   if (std::holds_alternative<CheckQuestion>(question)) {
-    end.emplace(arguments.limit_time);
+    end.emplace(arguments.stop_after);
     options.stop = [&] { return end->is_due(); };
   }
   if (arguments.format == Format::stream) {
@@ -74,7 +74,8 @@ std::string text_of(const CheckInput& input, const SceneAnswer& answer, Format f
 }  // namespace
 
 bool is_drawn(const PosedArguments& arguments) {
-  return draws_something(target_of(arguments)) || !arguments.exchange.bcf.empty();
+  const ExchangeFiles& files = arguments.exchange;
+  return draws_something(target_of(arguments)) || !files.bcf.empty() || !files.junit.empty() || !files.sarif.empty();
 }
 
 void print_answer(const CheckInput& input, const SceneQuestion& question, const SceneAnswer& answer,

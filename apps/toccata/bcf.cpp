@@ -73,7 +73,7 @@ std::string markup_xml(const Findings& findings, const ReportedPair& pair, std::
   pugi::xml_node topic = markup.append_child("Topic");
   topic.append_attribute("Guid").set_value(guid.c_str());
   topic.append_attribute("TopicType").set_value("Clash");
-  topic.append_attribute("TopicStatus").set_value("Open");
+  topic.append_attribute("TopicStatus").set_value(is_clash(pair) ? "Open" : "Closed");
   add_text(topic, "Title", sentence_of(scene, pair));
   add_text(topic, "Index", fmt::format("{}", number));
   add_text(topic, "Labels", kind_of_finding(pair));

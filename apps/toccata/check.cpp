@@ -16,6 +16,7 @@
 #include "clearance.hpp"
 #include "early_end.hpp"
 #include "exchange.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
@@ -56,13 +57,14 @@ struct Refusal {
 const std::vector<Refusal>& refusals() {
   static const std::vector<Refusal> all = {
       {"--self",
-       {"--poses",  "--penetration", "--clearance",  "--clearance-of", "--solid",     "--touching", "--rules",
-        "--ignore", "--between",     "--baseline",   "--sort",         "--fail-on",   "--junit",    "--sarif",
-        "--bcf",    "--stream",      "--limit-time", "--volume",       "--tolerance", "--group"},
+       {"--poses",     "--penetration", "--clearance", "--clearance-of",  "--solid",      "--touching",
+        "--rules",     "--ignore",      "--between",   "--baseline",      "--sort",       "--fail-on",
+        "--junit",     "--sarif",       "--bcf",       "--stream",        "--stop-after", "--volume",
+        "--tolerance", "--group",       "--precision", "--time-per-depth"},
        "--self asks where each object meets itself as a surface, and not about pairs"},
       {"--poses",
        {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort", "--junit",
-        "--sarif", "--bcf", "--stream", "--limit-time", "--volume", "--tolerance", "--group"},
+        "--sarif", "--bcf", "--stream", "--stop-after", "--volume", "--tolerance", "--group"},
        "--poses asks about two objects at many poses, and not about the pairs of a scene"},
       {"--stream",
        {"--json", "--csv", "--baseline", "--sort", "--group", "--save-case"},
@@ -102,6 +104,15 @@ int code_of(const CheckReport& report, FailOn fail_on) {
   return std::any_of(report.pairs.begin(), report.pairs.end(), fails) ? 1 : 0;
 }
 
+/// Throws Error where options are about depths, and nothing asks for them.
+void require_depths(const CheckCommand& arguments, bool are_asked) {
+  if (are_asked) return;
+  for (const auto& [name, word] : {std::pair("--precision", &arguments.precision_word),
+                                   std::pair("--time-per-depth", &arguments.time_per_depth_word)})
+    if (!word->empty())
+      throw Error(fmt::format("{} is about depths, which are not asked for: add --penetration or --tolerance", name));
+}
+
 int run_check_poses(const CheckCommand& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
@@ -124,13 +135,14 @@ int run_check_self(const CheckArguments& arguments) {
   return exit_code_of(answer_to(question, input, arguments, "checking"));
 }
 
-CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
+CheckQuestion question_of(const CheckCommand& arguments, CheckInput& input) {
+  LoadedScene& loaded = input.loaded;
   CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
   std::vector<std::string> left_out;
   question.depth = depth_options(arguments, left_out);
   warn_at_once(loaded, left_out);
   const LengthUnits units = length_units(loaded.scene, arguments.input);
-  question.rules = read_rules(arguments.rules, loaded.scene, units, loaded.warnings);
+  question.rules = read_rules(arguments.rules, input.models, units, loaded.warnings);
   question.volume = arguments.volume;
   if (!arguments.tolerance.empty())
     question.tolerance = read_length("--tolerance", arguments.tolerance, units, Longest::finite);
@@ -138,6 +150,7 @@ CheckQuestion question_of(const CheckCommand& arguments, LoadedScene& loaded) {
   if (!arguments.baseline.empty()) question.baseline = read_baseline(arguments.baseline, loaded.scene);
   question.order = arguments.order;
   question.by_winding = arguments.by_winding;
+  require_depths(arguments, question.penetration || question.tolerance || !question.rules.tolerances.empty());
   return question;
 }
 
@@ -164,7 +177,8 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
       !arguments.clearance.empty() || !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
       !arguments.baseline.empty() || arguments.order != PairOrder::objects ||
       arguments.grouping != ClashGrouping::none || arguments.volume || !arguments.tolerance.empty() ||
-      arguments.fail_on != FailOn::any || changes_objects(arguments);
+      !arguments.precision_word.empty() || !arguments.time_per_depth_word.empty() || arguments.fail_on != FailOn::any ||
+      changes_objects(arguments);
   if (const auto code = answered_case(arguments,
                                       {.asks = "check",
                                        .asks_itself = asks_itself,
@@ -172,6 +186,8 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
                                        .asking = asks_itself ? asking : std::vector<std::string>{}},
                                       exchange_of(arguments)))
     return *code;
+  // Whether a file of rules tells a tolerance is seen when it is read.
+  require_depths(arguments, arguments.penetration || !arguments.tolerance.empty() || !arguments.rules.files.empty());
   if (!arguments.poses.empty()) return run_check_poses(arguments);
   if (arguments.self) return run_check_self(arguments);
   require_view(arguments);
@@ -182,8 +198,8 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
         fmt::format("{} holds one object; a check needs two: name another file or a scene with more objects, "
                     "or say --self to check it against itself",
                     arguments.input.files.front()));
-  warn_of_open_meshes(input, arguments.threads);
-  const CheckQuestion question = question_of(arguments, loaded);
+  warn_of_open_meshes(input, arguments.threads, arguments.by_winding ? OpenMeshes::by_winding : OpenMeshes::surfaces);
+  const CheckQuestion question = question_of(arguments, input);
   SceneAnswer answer = ask_for(input, question, arguments, {"checking", is_drawn(arguments)});
   warn_of_unfinished(input.loaded, std::get<CheckReport>(answer));
   const int code = code_of(std::get<CheckReport>(answer), arguments.fail_on);
@@ -206,7 +222,7 @@ DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::str
           fmt::format("{} {} is not a finite number above 0: answered {}", name, printable(word), instead));
   };
   take(arguments.precision_word, "--precision", depth.precision, fmt::format("with {}", depth.precision));
-  take(arguments.time_limit_word, "--time-limit", depth.time_limit, "without a limit");
+  take(arguments.time_per_depth_word, "--time-per-depth", depth.time_limit, "without a limit");
   return depth;
 }
 
@@ -300,17 +316,18 @@ Subcommand add_check(CLI::App& app) {
   check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
       ->check(CLI::IsMember({"count", "ignore"}))
       ->capture_default_str();
-  CLI::Option* penetration = check->add_flag("--penetration", arguments->penetration,
-                                             "how deep solids overlap, a way to part them, their regions of contact "
-                                             "and (without --poses) their points of contact");
+  check->add_flag("--penetration", arguments->penetration,
+                  "how deep solids overlap, a way to part them, their regions of contact and (without --poses) their "
+                  "points of contact");
   check
       ->add_option("--precision", arguments->precision_word,
-                   "how wide the bracket of a depth may be: upper at most 1 + so many times lower (0.1)")
-      ->needs(penetration);
+                   "how wide the bracket of a depth may be, of --penetration or --tolerance: upper at most 1 + so many "
+                   "times lower (0.1)")
+      ->type_name("NUMBER");
   check
-      ->add_option("--time-limit", arguments->time_limit_word,
+      ->add_option("--time-per-depth", arguments->time_per_depth_word,
                    "seconds for the depth of each pair: then the bracket so far is told (none)")
-      ->needs(penetration);
+      ->type_name("SECONDS");
   check->add_flag("--volume", arguments->volume,
                   "how much volume solids have in common, between bounds; whether one passes through the other; and a "
                   "point of both");
@@ -349,13 +366,14 @@ Subcommand add_check(CLI::App& app) {
       "--stream", [arguments] { arguments->format = Format::stream; },
       "write JSON lines, each pair as soon as it is found, and a last line that says whether these are all");
   check
-      ->add_option("--limit-time", arguments->limit_time,
+      ->add_option("--stop-after", arguments->stop_after,
                    "seconds for the whole run: then what is found is told, and how many pairs are left (none)")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0())
+      ->type_name("SECONDS");
   check->footer(
       with_name("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is (--fail-on says what "
                 "counts), 2 trouble, 3 stopped by "
-                "--limit-time or Ctrl-C before all pairs were looked at.\n\n"
+                "--stop-after or Ctrl-C before all pairs were looked at.\n\n"
                 "Example:\n"
                 "  {0} demo --write scenes\n"
                 "  {0} check scenes/a.obj scenes/b.stl --faces\n"

@@ -92,7 +92,7 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
   return queries;
 }
 
-void warn_of_open_meshes(CheckInput& input, int threads) {
+void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for) {
   constexpr std::size_t most_names = 5;
   // What takes time is found out for all at once.
   parallel_for(input.models.size(), threads, [&](std::size_t i) {
@@ -108,12 +108,16 @@ void warn_of_open_meshes(CheckInput& input, int threads) {
     }
   if (open.empty()) return;
   const std::size_t shown = std::min(open.size(), most_names);
+  const bool is_one = open.size() == 1;
+  const std::string taken =
+      taken_for == OpenMeshes::by_winding
+          ? "and what lies inside is told by the winding number, undecided"
+          : fmt::format("and taken as surface{}, which contain{} nothing", is_one ? "" : "s", is_one ? "s" : "");
   input.loaded.warnings.push_back(fmt::format(
-      "{} of {} {} open and taken as surface{}, which contain{} nothing: {}{} ({}inspect tells why; --solid=none says "
-      "that surfaces are meant)",
-      open.size(), counted(input.models.size(), "object"), open.size() == 1 ? "is" : "are", open.size() == 1 ? "" : "s",
-      open.size() == 1 ? "s" : "", fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-      shown < open.size() ? ", …" : "", how_to_close(*first_open)));
+      "{} of {} {} open {}: {}{} ({}inspect tells why{})", open.size(), counted(input.models.size(), "object"),
+      is_one ? "is" : "are", taken, fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+      shown < open.size() ? ", …" : "", how_to_close(*first_open),
+      taken_for == OpenMeshes::by_winding ? "" : "; --solid=none says that surfaces are meant"));
 }
 
 void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {

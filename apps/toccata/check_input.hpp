@@ -23,8 +23,12 @@ CheckInput read_check_input(const PosedArguments& arguments);
 /// there are not two.
 std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArguments& arguments);
 
-/// An open mesh among solids contains nothing: whoever did not know that it is open should. Adds a warning then.
-void warn_of_open_meshes(CheckInput& input, int threads);
+/// What open meshes are taken for.
+enum class OpenMeshes { surfaces, by_winding };
+
+/// An open mesh among solids contains nothing, or only by its winding number: whoever did not know that it is open
+/// should. Adds a warning then.
+void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for = OpenMeshes::surfaces);
 
 /// Adds warnings in front of the others and prints them at once: before long work what is left out of it.
 void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings);

@@ -17,6 +17,7 @@
 
 #include "option_kinds.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/reports/scene_question.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -66,11 +67,11 @@ std::string text_in(const std::string& file) {
 /// Reads rules, and warns of what is about no object.
 class RuleReader {
  public:
-  RuleReader(const Scene& scene, const LengthUnits& units, std::vector<std::string>& warnings)
+  RuleReader(std::span<const SceneInstance> models, const LengthUnits& units, std::vector<std::string>& warnings)
       : units_(units), warnings_(warnings) {
-    for (const SceneObject& object : scene.objects) {
-      places_.emplace(object.name, names_.size());
-      names_.push_back(object.name);
+    for (const SceneInstance& model : models) {
+      places_.emplace(model.name, names_.size());
+      names_.push_back(model.name);
     }
   }
 
@@ -92,20 +93,13 @@ class RuleReader {
 
   /// `text` is what follows the word "ignore" or "between".
   void add_rule(std::vector<NameRule>& rules, std::string_view text, const std::string& place) {
-    rules.push_back(rule_of(text, place, &rules == &rules_.between));
+    rules.push_back(rule_of(text, place));
   }
 
   NameRules& rules() { return rules_; }
 
-  /// Throws Error where only pairs of some sets are to be checked, and there are none.
-  void require_pairs() const {
-    if (!rules_.between.empty() && !has_pairs_)
-      throw Error("nothing would be checked: no two objects are a pair of a rule `between`; `" + called_as() +
-                  " inspect FILE` tells the names of the objects");
-  }
-
  private:
-  NameRule rule_of(std::string_view text, const std::string& place, bool is_between) {
+  NameRule rule_of(std::string_view text, const std::string& place) {
     const std::vector<std::string> words = listed(text);
     const bool is_empty = std::find(words.begin(), words.end(), "") != words.end();
     if (words.size() > 2 || is_empty)
@@ -116,9 +110,8 @@ class RuleReader {
     const std::string &first = words[0], second = words.size() == 2 ? words[1] : "*";
     NameRule rule{patterns_of(first), patterns_of(second)};
     const Members a = members_of(first, rule.a, place), b = first == second ? a : members_of(second, rule.b, place);
-    const bool is_of_one = a.one && a.is_single && b.is_single && a.one == b.one;
-    if (is_of_one) warnings_.push_back(fmt::format("{}: '{}' is a single object, and no pair", place, names_[*a.one]));
-    has_pairs_ = has_pairs_ || (is_between && a.one && b.one && !is_of_one);
+    if (a.one && a.is_single && b.is_single && a.one == b.one)
+      warnings_.push_back(fmt::format("{}: '{}' is a single object, and no pair", place, names_[*a.one]));
     return rule;
   }
 
@@ -132,7 +125,7 @@ class RuleReader {
                       place));
     const double tolerance =
         read_length(place + ": tolerance", trimmed(text.substr(equals + 1)), units_, Longest::finite);
-    rules_.tolerances.push_back({rule_of(trimmed(text.substr(0, equals)), place, false), tolerance});
+    rules_.tolerances.push_back({rule_of(trimmed(text.substr(0, equals)), place), tolerance});
   }
 
   struct Set {
@@ -232,8 +225,15 @@ class RuleReader {
   std::map<std::string, std::size_t, std::less<>> places_;  ///< of the names
   std::map<std::string, Set> sets_;
   NameRules rules_;
-  bool has_pairs_ = false;  ///< some rule `between` is about some pair
 };
+
+void require_pairs(const NameRules& rules, std::span<const SceneInstance> models) {
+  if (rules.empty() || leave_a_pair(rules, models)) return;
+  throw Error(fmt::format("nothing would be checked: {}; `{} inspect FILE` tells the names of the objects",
+                          rules.ignored.empty() ? "no two objects are a pair of a rule `between`"
+                                                : "the rules leave no pair of two objects",
+                          called_as()));
+}
 
 }  // namespace
 
@@ -258,15 +258,15 @@ void add_rules(CLI::App& app, RuleArguments& arguments) {
            "PATTERN[,PATTERN]");
 }
 
-NameRules read_rules(const RuleArguments& arguments, const Scene& scene, const LengthUnits& units,
+NameRules read_rules(const RuleArguments& arguments, std::span<const SceneInstance> models, const LengthUnits& units,
                      std::vector<std::string>& warnings) {
-  RuleReader reader(scene, units, warnings);
+  RuleReader reader(models, units, warnings);
   for (const std::string& file : arguments.files) reader.read_file(file);
   for (const std::string& text : arguments.ignored)
     reader.add_rule(reader.rules().ignored, trimmed(text), "--ignore " + text);
   for (const std::string& text : arguments.between)
     reader.add_rule(reader.rules().between, trimmed(text), "--between " + text);
-  reader.require_pairs();
+  require_pairs(reader.rules(), models);
   return reader.rules();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,8 @@ bool has_rules(const RuleArguments& arguments);
 void add_rules(CLI::App& app, RuleArguments& arguments);
 
 /// Adds a warning for each rule and set that no object of the scene is in. Throws Error naming the file and the line,
-/// or the option, for what is no rule; and where the rules leave no pair to be checked, whatever the scene's objects
-/// are.
-NameRules read_rules(const RuleArguments& arguments, const Scene& scene, const LengthUnits& units,
+/// or the option, for what is no rule; and where the rules leave no pair to be checked.
+NameRules read_rules(const RuleArguments& arguments, std::span<const SceneInstance> models, const LengthUnits& units,
                      std::vector<std::string>& warnings);
 
 }  // namespace toccata::command

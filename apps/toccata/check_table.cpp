@@ -243,7 +243,7 @@ std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
   std::string text = fmt::format(
       "{} within {}, by the upper bounds of their depths: no clash", counted(count(ToleranceVerdict::within), "pair"),
       *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
-                            : std::string("the tolerance of 0, or that of a rule"));
+                            : std::string("a tolerance"));
   if (const std::size_t undecided = count(ToleranceVerdict::undecided); undecided > 0)
     text += fmt::format("; of {} that could not be decided", counted(undecided, "pair"));
   return text + ".\n";

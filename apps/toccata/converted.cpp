@@ -122,7 +122,7 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
     throw Error(
         fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
   }
-  ConvertedScene converted{read_scene(scene.string(), conversion.read), {}};
+  ConvertedScene converted{read_scene(scene.string(), {.scale = conversion.scale}), {}};
   for (const std::string& note : lines_in(text_of_file(out))) converted.notes.push_back(path + ": " + note);
   return converted;
 }
@@ -131,11 +131,12 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
 
 bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || converter_of(path) != nullptr; }
 
+bool states_its_unit(const std::string& path) { return is_converted(path) || lower_extension(path) == ".json"; }
+
 ConvertedScene read_converted(const std::string& path, const Conversion& conversion) {
-  if (conversion.read.metres_per_unit) throw Error(path + ": the file states its unit itself: leave out --unit");
   if (const Converter* converter = converter_of(path)) return read_by_program(path, *converter, conversion);
   ConvertedScene converted = read_three_mf(path);
-  converted.scene = scaled(std::move(converted.scene), conversion.read.scale);
+  converted.scene = scaled(std::move(converted.scene), conversion.scale);
   return converted;
 }
 

@@ -10,9 +10,13 @@ namespace toccata::command {
 /// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC.
 [[nodiscard]] bool is_converted(const std::string& path);
 
+/// Whether a file of that name says itself in which unit its numbers are, and --unit is about others: these, and scene
+/// files.
+[[nodiscard]] bool states_its_unit(const std::string& path);
+
 /// How it is read.
 struct Conversion {
-  ReadOptions read;
+  double scale = 1;
   std::string tessellation;  ///< a length with its unit; empty: the converter's own
 };
 

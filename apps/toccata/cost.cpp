@@ -9,6 +9,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "cost_words.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
@@ -143,15 +144,15 @@ Subcommand add_cost(CLI::App& app) {
   cost->add_option("--arities", words.arities, "children a node (default: 2,4,8)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check([](const std::string& number) { return number.empty() ? "a number must be given" : std::string(); })
+      ->check(whole_number(0, 1024))
       ->type_name("NUMBER,…");
   cost->add_option("--leaf-size", words.leaf_size, "triangles in a leaf, at most")
-      ->check(CLI::Range(1, 64))
+      ->check(whole_number(1, 64))
       ->capture_default_str();
   CLI::Option* quick = cost->add_flag("--quick", words.quick, "two builders and two arities, and only what is fast");
   cost->add_flag("--all", words.all, "also what takes long: of large meshes some is left out")->excludes(quick);
   cost->add_option("--rows", arguments->rows, "how many rows of each table to show; 0: all")
-      ->check(CLI::Range(0, 1'000'000))
+      ->check(whole_number(0, 1'000'000))
       ->capture_default_str();
   add_file(*cost, "--svg", arguments->svg,
            "also draw the cheapest hierarchy of each volume as bars (docs/reference/plots.md)", "FILE.svg");

@@ -11,6 +11,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "crowd_view.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "saved.hpp"
 #include "subcommands.hpp"
@@ -18,7 +19,6 @@
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
 #include "toccata/reports/crowd_report.hpp"
-#include "whole_number.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -83,7 +83,7 @@ int run_crowd(const CrowdArguments& arguments) {
 std::vector<CLI::Option*> add_flight(CLI::App& app, CrowdArguments& crowd) {
   std::vector<std::string> methods;
   for (const BroadPhaseMethod method : broad_phase_methods()) methods.emplace_back(name_of(method));
-  const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000});
+  const auto positive = whole_number(1, 100'000'000);
   return {
       app.add_option("--count", crowd.count, "boxes or bodies")->check(positive)->capture_default_str(),
       app.add_option("--frames", crowd.frames, "the median of their times is told")

@@ -10,6 +10,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
@@ -87,7 +88,7 @@ Subcommand add_decompose(CLI::App& app) {
   CLI::App* decompose = app.add_subcommand("decompose", "cut a closed mesh into convex parts that contain it");
   add_input(*decompose, arguments->input, "a file with one closed mesh");
   decompose->add_option("--parts", arguments->question.max_parts, "at most so many")
-      ->check(CLI::Range(1, 4096))
+      ->check(whole_number(1, 4096))
       ->capture_default_str();
   add_length(*decompose, "--concavity", arguments->concavity,
              "cut no further where no point of a part is farther than this from the solid: a length in units of "

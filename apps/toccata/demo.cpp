@@ -12,6 +12,7 @@
 #include "demo_readme.hpp"
 #include "demo_text.hpp"
 #include "file_text.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
@@ -169,14 +170,14 @@ Subcommand add_demo(CLI::App& app) {
                    "else all scenes at rest")
       ->check(CLI::IsMember({"cloth", "mould"}));
   const CLI::Option* steps = demo->add_option("--steps", arguments->steps, "of the cloth")
-                                 ->check(CLI::Range(1, 1'000'000))
+                                 ->check(whole_number(1, 1'000'000))
                                  ->capture_default_str();
   arguments->mesh = "gen:noise-sphere";
   const CLI::Option* mesh =
       demo->add_option("--mesh", arguments->mesh, "of the mould: a file, or a generated mesh")->capture_default_str();
   const CLI::Option* factor = demo->add_option("--factor", arguments->factor,
                                                "scales the mesh in its mould about the middle of its box: try 0.999")
-                                  ->check(CLI::Range(1e-3, 1e3))
+                                  ->check(number_between(1e-3, 1e3))
                                   ->capture_default_str();
   add_text(*demo, "--write", arguments->write_folder,
            "write the scenes as files to play with, the cloth as it lies at last, or the mould, into this folder",

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -27,6 +29,12 @@ struct ExchangeFormat {
 constexpr std::array exchange_formats{ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, junit_xml},
                                       ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif, sarif_json},
                                       ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, bcf_zip}};
+
+/// How many of the findings are no clash.
+std::string within_text(const CheckReport& report) {
+  const auto within = std::count_if(report.pairs.begin(), report.pairs.end(), std::not_fn(is_clash));
+  return within == 0 ? "" : fmt::format(", {} of them within the tolerance", within);
+}
 
 }  // namespace
 
@@ -62,7 +70,7 @@ std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, c
     const std::string bytes = format.bytes({input, *report, arguments, is_failure});
     const UninterruptedWriting writing;
     write_output(bytes, file, format.kind);
-    told += fmt::format("{}: {}.\n", printable(file), counted(report->pairs.size(), "finding"));
+    told += fmt::format("{}: {}{}.\n", printable(file), counted(report->pairs.size(), "finding"), within_text(*report));
   }
   return told;
 }

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "words.hpp"
@@ -13,23 +14,80 @@ namespace {
 
 bool is_near(const ReportedPair& pair) { return pair.relation.kind == RelationKind::apart; }
 
-std::vector<Vec3> points_of(const ReportedPair& pair) {
-  std::vector<Vec3> points;
+/// A box, and the words of what is in it.
+struct Place {
+  Aabb box;
+  std::string words;
+};
+
+/// "at (0, 0, 1)"; or between which corners, by how many directions the box has an extent in.
+std::string where_text(const Aabb& box) {
+  const std::string lower = point_text(box.lower), upper = point_text(box.upper);
+  const Vec3 size = box.upper - box.lower;
+  const int extents = (size.x > 0 ? 1 : 0) + (size.y > 0 ? 1 : 0) + (size.z > 0 ? 1 : 0);
+  if (extents == 0 || lower == upper) return "at " + lower;
+  constexpr std::array<const char*, 3> forms{"on the segment", "within the rectangle", "within the box"};
+  return fmt::format("{} from {} to {}", forms[static_cast<std::size_t>(extents - 1)], lower, upper);
+}
+
+Place place_named(const char* what, const Aabb& box) { return {box, fmt::format("{} {}", what, where_text(box))}; }
+
+Place place_between(const char* what, const Vec3& on_a, const Vec3& on_b) {
+  return {fit_aabb(std::array{on_a, on_b}), fmt::format("{} {} and {}", what, point_text(on_a), point_text(on_b))};
+}
+
+/// What the faces have in common.
+Aabb box_of_intersections(const ReportedPair& pair) {
+  Aabb box;
   for (const ReportedFacePair& faces : pair.face_pairs)
     for (const ReportedIntersection& intersection : faces.intersections)
-      points.insert(points.end(), intersection.points.begin(), intersection.points.end());
-  if (!points.empty()) return points;
-  for (const ContactRegion& region : pair.regions) points.push_back(region.deepest);
-  if (pair.manifold)
-    for (int i = 0; i < pair.manifold->count; ++i)
-      points.push_back(pair.manifold->points[static_cast<std::size_t>(i)].position);
-  for (const ContactManifold& one : pair.manifolds)
-    for (int i = 0; i < one.manifold.count; ++i)
-      points.push_back(one.manifold.points[static_cast<std::size_t>(i)].position);
-  if (points.empty() && pair.penetration && pair.penetration->upper > 0)
-    points = {pair.penetration->on_a, pair.penetration->on_b};
-  if (points.empty() && is_near(pair) && pair.distance) points = {pair.distance->on_a, pair.distance->on_b};
-  return points;
+      box = merge(box, fit_aabb(intersection.points));
+  return box;
+}
+
+Aabb box_of_contact_points(const ReportedPair& pair) {
+  Aabb box;
+  const auto add = [&](const Manifold& manifold) {
+    for (int i = 0; i < manifold.count; ++i) box = merge(box, manifold.points[static_cast<std::size_t>(i)].position);
+  };
+  if (pair.manifold) add(*pair.manifold);
+  for (const ContactManifold& one : pair.manifolds) add(one.manifold);
+  return box;
+}
+
+/// As far as the answer tells it, the most telling first.
+std::optional<Place> told_place(const Scene& scene, const ReportedPair& pair) {
+  if (is_near(pair)) {
+    if (!pair.distance) return std::nullopt;
+    return place_between("the nearest points are", pair.distance->on_a, pair.distance->on_b);
+  }
+  if (const Aabb box = box_of_intersections(pair); !is_empty(box)) return place_named("the surfaces meet", box);
+  Aabb regions;
+  for (const ContactRegion& region : pair.regions) regions = merge(regions, region.box);
+  if (!is_empty(regions)) return place_named("they meet", regions);
+  if (const Aabb box = box_of_contact_points(pair); !is_empty(box)) return place_named("they are in contact", box);
+  if (pair.penetration && pair.penetration->upper > 0)
+    return place_between("the deepest points are", pair.penetration->on_a, pair.penetration->on_b);
+  if (pair.common_point) return place_named("both hold a point", merge(Aabb{}, *pair.common_point));
+  if (pair.relation.containment == Containment::none) return std::nullopt;
+  const bool is_b_inside = pair.relation.containment == Containment::b_in_a;
+  const std::optional<Aabb> box = inspect(scene.objects[is_b_inside ? pair.b : pair.a]).world_box;
+  return box ? std::optional(place_named("the one inside lies", *box)) : std::nullopt;
+}
+
+/// What a tolerance makes of the pair; empty where there is none.
+std::string verdict_text(ToleranceVerdict verdict) {
+  switch (verdict) {
+    case ToleranceVerdict::within:
+      return ", within the tolerance: no clash";
+    case ToleranceVerdict::beyond:
+      return ", beyond the tolerance";
+    case ToleranceVerdict::undecided:
+      return ", undecided whether within the tolerance";
+    case ToleranceVerdict::none:
+      break;
+  }
+  return {};
 }
 
 /// FNV-1a.
@@ -50,34 +108,23 @@ std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
   if (is_near(pair) && pair.distance)
     return fmt::format("{} and {} are nearer than their clearance: {}", a, b, distance_text(*pair.distance));
   const bool is_deep = pair.penetration && pair.penetration->upper > 0;
-  return fmt::format("{} {} {}{} {}", a, verb_of(pair.relation), b,
-                     is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end) : "", remark_on(pair.relation));
+  return fmt::format("{} {} {}{}{} {}", a, verb_of(pair.relation), b,
+                     is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end) : "", verdict_text(pair.tolerance),
+                     remark_on(pair.relation));
 }
 
 std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline) {
   std::vector<std::string> details;
-  if (is_near(pair) && pair.distance) details.push_back("from " + nearest_text(*pair.distance));
-  if (const std::optional<Aabb> place = place_of(scene, pair))
-    details.push_back(fmt::format("within the box from {} to {}", point_text(place->lower), point_text(place->upper)));
+  if (const std::optional<Place> place = told_place(scene, pair)) details.push_back(place->words);
   if (!pair.regions.empty()) details.push_back(counted(pair.regions.size(), "region of contact", "regions of contact"));
   if (has_baseline) details.push_back("since the baseline: " + name_of(since_baseline(pair)));
   return details;
 }
 
 std::optional<Aabb> place_of(const Scene& scene, const ReportedPair& pair) {
-  const std::vector<Vec3> points = points_of(pair);
-  if (!points.empty()) {
-    Aabb box{points[0], points[0]};
-    for (const Vec3& point : points)
-      for (int axis = 0; axis < 3; ++axis) {
-        box.lower[axis] = std::min(box.lower[axis], point[axis]);
-        box.upper[axis] = std::max(box.upper[axis], point[axis]);
-      }
-    return box;
-  }
-  const bool is_b_inside = pair.relation.containment == Containment::b_in_a;
-  if (pair.relation.containment == Containment::none) return std::nullopt;
-  return inspect(scene.objects[is_b_inside ? pair.b : pair.a]).world_box;
+  const std::optional<Place> place = told_place(scene, pair);
+  const bool has_end = place && is_finite(place->box.lower) && is_finite(place->box.upper);
+  return has_end ? std::optional(place->box) : std::nullopt;
 }
 
 std::string digits_of(const std::string& words) {

@@ -14,10 +14,12 @@ namespace toccata::command {
 /// "overlapping", "crossing", "touching", "clearance" or "undecided": what kind of finding it is.
 [[nodiscard]] std::string kind_of_finding(const ReportedPair& pair);
 
-/// "left overlaps right, 0.5 deep along (1, 0, 0) (both solids)". Control characters in names are written out.
+/// "left overlaps right, 0.5 deep along (1, 0, 0), beyond the tolerance (both solids)". Control characters in names are
+/// written out.
 [[nodiscard]] std::string sentence_of(const Scene& scene, const ReportedPair& pair);
 
-/// What is told of a pair besides, a line each: the nearest or deepest points, and how it stands against a baseline.
+/// What is told of a pair besides, a line each: where it is, as "the surfaces meet within the box from … to …" or "the
+/// deepest points are … and …", and how it stands against a baseline.
 [[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);
 
 /// A box in the world around where the two meet or are near: around the points that the answer tells, or the object

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,6 +20,7 @@
 #include "memory.hpp"
 #include "named_files.hpp"
 #include "progress_bar.hpp"
+#include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -46,9 +49,34 @@ ReadOptions read_options(const InputArguments& input) {
   return options;
 }
 
-Scene scene_of_standard_input(const InputArguments& input, const ReadOptions& options) {
+constexpr const char* name_of_standard_input = "standard input";
+
+/// What is read by another program or library is a file for it.
+ConvertedScene converted_standard_input(const std::string& text, const std::string& format,
+                                        const Conversion& conversion) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / ("input." + format)).string();
+  std::ofstream(path, std::ios::binary) << text;
+  const auto as_input = [&](std::string words) {
+    for (std::size_t at = words.find(path); at != std::string::npos; at = words.find(path))
+      words.replace(at, path.size(), name_of_standard_input);
+    return words;
+  };
+  try {
+    ConvertedScene read = read_converted(path, conversion);
+    for (SceneObject& object : read.scene.objects) object.source = as_input(object.source);
+    for (std::string& note : read.notes) note = as_input(note);
+    return read;
+  } catch (const Error& error) {
+    throw Error(as_input(error.what()));
+  }
+}
+
+ConvertedScene read_standard_input_as(const std::string& format, const ReadOptions& options,
+                                      const Conversion& conversion) {
   const std::string text = read_standard_input();
-  return read_scene({text, "standard input", input.format}, options);
+  if (!text.empty() && is_converted("input." + format)) return converted_standard_input(text, format, conversion);
+  return {read_scene({text, name_of_standard_input, format}, options), {}};
 }
 
 /// Meshes that are equal to the bit become one, so that they share a tree: copies of a bolt, each in a file.
@@ -155,11 +183,52 @@ class FilesRead {
 };
 
 /// What one of the files holds, whatever its format.
-ConvertedScene read_file(const std::string& file, const fs::path& path, const InputArguments& input) {
-  const ReadOptions options = read_options(input);
-  if (file == standard_input) return {scene_of_standard_input(input, options), {}};
-  if (is_converted(path.string())) return read_converted(path.string(), {options, input.tessellation});
+ConvertedScene read_as_it_is(const std::string& file, const fs::path& path, const InputArguments& input,
+                             const ReadOptions& options) {
+  const Conversion conversion{options.scale, input.tessellation};
+  if (file == standard_input) return read_standard_input_as(input.format, options, conversion);
+  if (is_converted(path.string())) return read_converted(path.string(), conversion);
   return {read_scene(path.string(), options), {}};
+}
+
+bool has_its_own_unit(const std::string& file, const InputArguments& input) {
+  return states_its_unit(file == standard_input ? "input." + input.format : file);
+}
+
+/// Throws Error where the unit of the scene is not known.
+Scene in_metres(Scene scene, const std::string& file) {
+  if (scene.unit == "unit")
+    throw Error(
+        fmt::format("{}: its unit is \"unit\", which is no length that could become the metres of --unit; "
+                    "change \"unit\" there, or leave out --unit",
+                    file));
+  const std::string unit = scene.unit.ends_with(" m") ? scene.unit.substr(0, scene.unit.size() - 2) : scene.unit;
+  scene = scaled(std::move(scene), metres_per_unit(unit));
+  scene.unit = "m";
+  return scene;
+}
+
+/// The same in metres, where --unit says what the numbers of some other file are.
+ConvertedScene read_file(const std::string& file, const fs::path& path, const InputArguments& input) {
+  ReadOptions options = read_options(input);
+  if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
+  options.metres_per_unit.reset();
+  ConvertedScene read = read_as_it_is(file, path, input, options);
+  const std::string unit = read.scene.unit;
+  read.scene = in_metres(std::move(read.scene), file);
+  if (unit != "m")
+    read.notes.push_back(
+        fmt::format("{}: its unit is {}; for the sake of --unit its numbers are made metres and rounded to doubles: "
+                    "what touches or fits exactly there may not any more",
+                    file, unit));
+  return read;
+}
+
+/// Throws Error where --unit is about none of the files.
+void require_use_of_unit(const InputArguments& input) {
+  const auto states = [&](const std::string& file) { return has_its_own_unit(file, input); };
+  if (!input.unit.empty() && std::all_of(input.files.begin(), input.files.end(), states))
+    throw Error(fmt::format("{}: the file states its unit itself: leave out --unit", input.files.front()));
 }
 
 /// The scenes of all files, several at once; one that is named twice is read once.
@@ -207,6 +276,7 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 
 LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
+  require_use_of_unit(input);
   LoadedScene loaded;
   const std::map<std::string, ConvertedScene> read = read_all(input);
   FreeNames names;

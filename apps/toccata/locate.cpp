@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "load.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
@@ -176,10 +177,6 @@ LocateJson report_of(const LocatedPoint& found, const TriangleMesh& mesh) {
 void require_growth(const LocateArguments& arguments) {
   if (arguments.says_growth && arguments.by == "mesh")
     throw Error("--max-growth is of BSP and MSP trees, and the mesh's own is asked: say --by bsp or --by msp as well");
-  if (!(arguments.tree.max_growth >= 1))
-    throw Error(
-        fmt::format("--max-growth {}: a tree has a fragment of every triangle at least, so it has to be 1 or more",
-                    arguments.tree.max_growth));
 }
 
 std::vector<Vec3> points_to_locate(const LocateArguments& arguments) {
@@ -283,6 +280,7 @@ Subcommand add_locate(CLI::App& app) {
       ->add_option("--max-growth", arguments->tree.max_growth,
                    "a BSP or MSP tree is given up beyond so many fragments a triangle, 1 or more")
       ->type_name("NUMBER")
+      ->check(number_from(1))
       ->capture_default_str();
   add_json(*locate, arguments->format, "write JSON (docs/reference/locate-report.md)");
   locate->footer(

@@ -10,6 +10,7 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "load.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
@@ -100,7 +101,7 @@ Subcommand add_nearest(CLI::App& app) {
   CLI::Option* point = add_point(*nearest, "--point", arguments->point_words, "the point, in the world");
   add_file(*nearest, "--points", arguments->points, "many points: a file with three numbers a line")->excludes(point);
   nearest->add_option("--k", arguments->k, "so many nearest triangles, nearest first")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(whole_number(1, 1'000'000))
       ->type_name("NUMBER");
   add_length(*nearest, "--within", arguments->within,
              "leave out what is farther away: a length in units of the scene or with its own (0.5, 2mm, 0.1in); "

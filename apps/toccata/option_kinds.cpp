@@ -9,6 +9,7 @@
 
 #include "load.hpp"
 #include "named_files.hpp"
+#include "number_checks.hpp"
 #include "words.hpp"
 
 namespace toccata::command {
@@ -19,17 +20,16 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
                  what + "; a folder stands for the mesh files in it, - for standard input (with --format)");
   app.final_callback([&input] { input.files = named_files(input); });
   add_file(app, "--names", input.names, "also the files that this one lists, one on each line; -: standard input");
-  add_text(app, "--format", input.format, "what standard input is: obj, stl, ply, off, gltf, glb, json",
-           "a format must be named")
+  add_text(app, "--format", input.format, "what standard input is: " + readable_formats(), "a format must be named")
       ->type_name("FORMAT");
   add_length(app, "--tessellation", input.tessellation,
              "how near the triangles of curved faces of STEP and IFC files are to be to them (0.1mm, 1mm)");
   app.add_flag("--split", input.split, "the objects and groups of OBJ files and the solids of STL files, each alone");
-  app.add_option(
-      "--unit", input.unit,
-      "unit of the numbers in mesh files: mm, cm, m, km, in, ft, or metres per unit; the world, with it the t of "
-      "given poses and all printed points, is then in metres, and a clearance without a unit in this one");
-  app.add_option("--scale", input.scale, "multiply all coordinates of the files by this");
+  app.add_option("--unit", input.unit,
+                 "unit of the numbers in files that state none: mm, cm, m, km, in, ft, or metres per unit; the world, "
+                 "with it the t of "
+                 "given poses and all printed points, is then in metres, and a clearance without a unit in this one");
+  app.add_option("--scale", input.scale, "multiply all coordinates of the files by this")->check(number_above_0());
   add_file(app, "--cache", input.cache,
            "keep the trees of large meshes in this folder, and take from it those that an earlier run built "
            "(docs/reference/tree-file.md)",
@@ -95,7 +95,7 @@ void add_formats(CLI::App& app, Format& format, const std::string& report) {
 
 CLI::Option* add_threads(CLI::App& app, int& threads, const std::string& made) {
   return app.add_option("--threads", threads, "threads to use; 0: as many as there are; same " + made + " for any")
-      ->check(CLI::Range(0, 1024));
+      ->check(whole_number(0, 1024));
 }
 
 void add_save_case(CLI::App& app, std::string& file, const char* what) {

@@ -14,7 +14,8 @@ class Option;
 // The options that several subcommands have.
 namespace toccata::command {
 
-inline constexpr const char* any_files = "mesh files (OBJ, STL, PLY, OFF, glTF, GLB) or scene files (JSON)";
+inline constexpr const char* any_files =
+    "mesh files (OBJ, STL, PLY, OFF, glTF, GLB, 3MF, STEP, IFC) or scene files (JSON)";
 
 void add_input(CLI::App& app, InputArguments& input, const std::string& what);
 

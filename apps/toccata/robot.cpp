@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "load.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
@@ -398,7 +399,7 @@ Subcommand add_robot(CLI::App& app) {
            "a unit must be given");
   CLI::Option* cloud = add_file(*robot, "--cloud", arguments->cloud, "a point cloud around it: three numbers a line");
   robot->add_option("--radius", arguments->radius, "of the ball that each of its points stands for")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_0())
       ->capture_default_str()
       ->needs(cloud);
   CLI::Option* configurations =
@@ -411,7 +412,7 @@ Subcommand add_robot(CLI::App& app) {
       ->add_option("--find-allowed", arguments->find_allowed,
                    "instead: pairs that need not be looked at, by so many samples, as SRDF")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(whole_number(1, 100'000'000));
   add_text(*robot, "--write-urdf", arguments->write_urdf, "instead: write the robot and its meshes into this folder",
            "a folder must be named")
       ->type_name("FOLDER");

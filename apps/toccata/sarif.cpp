@@ -65,6 +65,7 @@ SarifJson result_of(const Findings& findings, const ReportedPair& pair) {
     result["baselineState"] = since == Since::added ? "new" : since == Since::known ? "unchanged" : "updated";
   }
   SarifJson properties = {{"relation", name_of(pair.relation.kind)}, {"status", name_of(pair.relation.status)}};
+  if (pair.tolerance != ToleranceVerdict::none) properties["tolerance"] = name_of(pair.tolerance);
   add_numbers(properties, pair);
   result["properties"] = std::move(properties);
   return result;

@@ -9,6 +9,7 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "mesh_output.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
@@ -125,18 +126,18 @@ Subcommand add_subdivide(CLI::App& app) {
              "how far mesh and limit may be apart, or how wide the interval of a distance: a length in units of "
              "--unit or the scene, or with its own (0.5, 2mm, 0.1in)");
   subdivide->add_option("--levels", arguments->question.levels, "refine every face of one cage at least so often")
-      ->check(CLI::Range(0, 30));
+      ->check(whole_number(0, 30));
   subdivide
       ->add_option("--triangles", arguments->question.max_triangles,
                    "at most so many; of two objects so many faces are looked at")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
+      ->check(whole_number(1, std::uint64_t{1} << 40))
       ->capture_default_str();
   add_file(*subdivide, "--creases", arguments->creases,
            "a file of sharp edges and corners: lines of crease A B [SHARPNESS] or corner V [SHARPNESS]");
   subdivide
       ->add_option("--crease-angle", arguments->question.crease_angle,
                    "edges whose faces turn by more than so many degrees are creases")
-      ->check(CLI::Range(0.0, 180.0));
+      ->check(number_between(0, 180));
   subdivide->add_flag("--sharp-corners", arguments->sharp_corners,
                       "vertices of one face on a border stay where they are");
   subdivide->add_flag("--both", arguments->question.both, "the second object is a cage, too");

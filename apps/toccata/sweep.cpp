@@ -11,6 +11,7 @@
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "load.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
@@ -157,7 +158,7 @@ Subcommand add_sweep(CLI::App& app) {
   sweep->add_flag("--screw", arguments->screw, "turn about one axis and move along it, instead of straight on")
       ->excludes(centre);
   sweep->add_option("--stop-before", arguments->stop_before, "how near it may come, in units of the scene")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from(0));
   add_solid(*sweep, *arguments);
   add_writing(*sweep, *arguments, "docs/reference/sweep-report.md");
   sweep->footer(

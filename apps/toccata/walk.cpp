@@ -10,6 +10,7 @@
 #include "check_input.hpp"
 #include "clearance.hpp"
 #include "load.hpp"
+#include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
@@ -218,9 +219,10 @@ Subcommand add_walk(CLI::App& app) {
                              &arguments->skin, &arguments->step_height, &arguments->snap})
     add_length(*walk, length->option, length->text, length->help);
   walk->add_option("--max-slope", arguments->max_slope, "the steepest ground that it walks on, in degrees")
+      ->check(number_between(0, 90))
       ->capture_default_str();
   walk->add_option("--most-steps", arguments->most_steps, "so many steps at most, on the way --to a point")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+      ->check(whole_number(1, 1'000'000'000))
       ->capture_default_str();
   add_up(*walk, *arguments);
   add_solid(*walk, *arguments);

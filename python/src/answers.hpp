@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <toccata/core/error.hpp>
+
 #include "arrays.hpp"
 
 // Answers are described once, member by member: from that follow their class in Python, how they print, compare and
@@ -59,7 +61,7 @@ void for_each_field(const Use& use) {
 
 template <class Value>
 nb::object plain_value(const Value& value) {
-  if constexpr (std::is_same_v<Value, Vec3>)
+  if constexpr (std::is_same_v<Value, Vec3> || std::is_same_v<Value, std::vector<double>>)
     return tuple_of(value);
   else if constexpr (std::is_enum_v<Value>)
     return nb::cast(static_cast<int>(value));
@@ -71,6 +73,8 @@ template <class Value>
 Value from_plain(nb::handle told) {
   if constexpr (std::is_same_v<Value, Vec3>)
     return vector_of(told, "a pickled answer");
+  else if constexpr (std::is_same_v<Value, std::vector<double>>)
+    return numbers_of(told, "a pickled answer");
   else if constexpr (std::is_enum_v<Value>)
     return static_cast<Value>(nb::cast<int>(told));
   else
@@ -80,7 +84,7 @@ Value from_plain(nb::handle told) {
 /// As it is printed: tuples for vectors, and names for enumerations.
 template <class Value>
 nb::object plain_text(const Value& value) {
-  if constexpr (std::is_same_v<Value, Vec3>)
+  if constexpr (std::is_same_v<Value, Vec3> || std::is_same_v<Value, std::vector<double>>)
     return tuple_of(value);
   else
     return nb::cast(value);
@@ -124,7 +128,7 @@ nb::class_<Answer> bind_answer(nb::module_& module) {
   for_each_field<Answer>([&]<class Field>(const Field& field) {
     using Value = typename Field::Value;
     const auto of = &Field::of;
-    if constexpr (std::is_same_v<Value, Vec3>)
+    if constexpr (std::is_same_v<Value, Vec3> || std::is_same_v<Value, std::vector<double>>)
       bound.def_prop_ro(
           field.name, [of](Answer& answer) { return array_of(of(answer)); }, field.doc);
     else

@@ -201,8 +201,11 @@ Poses poses_of(nb::handle given, std::string_view what) {
   if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 &&
       nb::isinstance<Pose>(given[0])) {
     Poses poses;
-    for (const nb::handle pose : given)
-      poses.each.push_back(pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
+    for (const nb::handle pose : given) {
+      const Pose* known = nullptr;
+      const bool is_pose = nb::try_cast(pose, known, false) && known != nullptr;
+      poses.each.push_back(is_pose ? *known : pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
+    }
     return poses;
   }
   const bool of_scipy = tells_a_matrix(given);
@@ -261,6 +264,14 @@ std::vector<bool> bools_of(nb::handle given, std::size_t count, std::string_view
   return truths;
 }
 
+std::vector<double> numbers_of(nb::handle given, std::string_view what) {
+  const Doubles numbers = doubles(given, what);
+  if (numbers.shape.size() != 1)
+    throw Error(fmt::format("{}: a list of numbers is needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return {numbers.data, numbers.data + numbers.rows()};
+}
+
 std::vector<double> numbers_for(nb::handle given, std::size_t count, std::string_view what) {
   const Doubles numbers = doubles(given, what);
   if (numbers.shape.empty()) return std::vector<double>(count, numbers.data[0]);
@@ -286,6 +297,14 @@ Floats array_of(const Pose& pose) {
   return nb::borrow<Floats>(array_over<double>(std::move(rows), {4}));
 }
 
+Floats array_of(std::vector<double> numbers) { return nb::borrow<Floats>(array_over<double>(std::move(numbers), {})); }
+
 nb::tuple tuple_of(const Vec3& vector) { return nb::make_tuple(vector.x, vector.y, vector.z); }
+
+nb::tuple tuple_of(const std::vector<double>& numbers) {
+  nb::list told;
+  for (const double number : numbers) told.append(number);
+  return nb::tuple(told);
+}
 
 }  // namespace toccata::python

@@ -123,6 +123,9 @@ struct Poses {
 /// Truths, `count` of them, in an array of any type of numbers or of bools.
 [[nodiscard]] std::vector<bool> bools_of(nb::handle given, std::size_t count, std::string_view what);
 
+/// Any number of them, of an array (N,).
+[[nodiscard]] std::vector<double> numbers_of(nb::handle given, std::string_view what);
+
 /// One number for each of `count`, or one for all.
 [[nodiscard]] std::vector<double> numbers_for(nb::handle given, std::size_t count, std::string_view what);
 
@@ -133,7 +136,9 @@ struct Poses {
 
 [[nodiscard]] Floats array_of(const Vec3& vector);
 [[nodiscard]] Floats array_of(const Pose& pose);
+[[nodiscard]] Floats array_of(std::vector<double> numbers);
 [[nodiscard]] nb::tuple tuple_of(const Vec3& vector);
+[[nodiscard]] nb::tuple tuple_of(const std::vector<double>& numbers);
 
 /// Makes the array of `shape` over what `owner` holds, which cannot be written to.
 template <class Number>

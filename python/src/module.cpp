@@ -27,11 +27,17 @@ NB_MODULE(_core, module) {
   bind_pair_questions(module);
   bind_point_questions(module);
   bind_contact_questions(module);
+  bind_mover_options(module);
   bind_scenes(module);
+  bind_depths(module);
+  bind_regions(module);
+  bind_meshes(module);
   bind_motions(module);
+  bind_deforming(module);
   bind_worlds(module);
   bind_boxes(module);
   bind_parts(module);
+  bind_robots(module);
   bind_caches(module);
   bind_pages(module);
   module.attr("__name__") = own_name;

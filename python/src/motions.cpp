@@ -1,6 +1,8 @@
 #include "motions.hpp"
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -63,6 +65,25 @@ RigidMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayL
   return RigidMotion::through(keys, vector_of(centre, "centre"));
 }
 
+/// A function of Python, for threads of C++: what holds it may be copied and ended without the interpreter's lock.
+std::function<Pose(double)> asked_with_lock(nb::callable function) {
+  const auto end = [](nb::callable* held) {
+    if (!nb::is_alive()) return;
+    const nb::gil_scoped_acquire acquired;
+    delete held;
+  };
+  return [held = std::shared_ptr<nb::callable>(new nb::callable(std::move(function)), end)](double time) {
+    const nb::gil_scoped_acquire acquired;
+    const nb::object pose = (*held)(time);
+    if (pose.is_none()) throw Error("pose_at returns None: it has to return the pose at that time");
+    return pose_of(pose, "what pose_at returns");
+  };
+}
+
+RigidMotion by_function(nb::callable pose_at, double speed, double turns, const ArrayLike& centre, double rounding) {
+  return RigidMotion::of(asked_with_lock(std::move(pose_at)), {vector_of(centre, "centre"), speed, turns, rounding});
+}
+
 void bind_motion(nb::module_& module) {
   const nb::tuple origin = nb::make_tuple(0.0, 0.0, 0.0);
   nb::class_<RigidMotion>(module, "RigidMotion",
@@ -105,6 +126,18 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           "From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.")
       .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin,
                   "Through poses at times that ascend from 0 to 1, as between each and the next.")
+      .def_static(
+          "of", &by_function, nb::arg("pose_at"), nb::kw_only(), nb::arg("speed"), nb::arg("turns") = 0.0,
+          nb::arg("centre") = origin, nb::arg("rounding") = 0.0,
+          nb::sig("def of(pose_at: collections.abc.Callable[[float], toccata._typing.PoseLike], *, speed: float, "
+                  "turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) "
+                  "-> RigidMotion"),
+          "Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: "
+          "the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast "
+          "it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all "
+          "such motions. The function is asked from any thread, with the interpreter's lock, and has to return the "
+          "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
+          "or not finite.")
       .def(
           "at", [](const RigidMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
           "The pose at a time from 0 to 1, rounded. Raises Error for another time.")

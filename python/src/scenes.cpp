@@ -9,6 +9,8 @@
 #include <toccata/query/scene_index.hpp>
 #include <toccata/query/self_contacts.hpp>
 
+#include "characters.hpp"
+#include "depths.hpp"
 #include "object_questions.hpp"
 
 namespace toccata::python {
@@ -72,11 +74,8 @@ namespace {
 struct CheckedPair {
   Index a = 0, b = 0;
   Relation relation{};
-};
-
-struct CheckedDepth {
-  Penetration penetration{};
-  DepthEnd end = DepthEnd::precise;
+  PairAnswer::Kind clash{};
+  PairAnswer::Tolerance tolerance{};
 };
 
 }  // namespace
@@ -88,16 +87,10 @@ struct Described<CheckedPair> {
   static constexpr auto fields =
       std::tuple_cat(std::tuple{field<CheckedPair, &CheckedPair::a>("a", "The index of the first."),
                                 field<CheckedPair, &CheckedPair::b>("b", "That of the second, which is greater.")},
-                     fields_within<CheckedPair, &CheckedPair::relation>(Described<Relation>::fields));
-};
-
-template <>
-struct Described<CheckedDepth> {
-  static constexpr const char* name = "CheckedDepth";
-  static constexpr const char* doc = "How deep two of them overlap.";
-  static constexpr auto fields =
-      std::tuple_cat(fields_within<CheckedDepth, &CheckedDepth::penetration>(Described<Penetration>::fields),
-                     std::tuple{field<CheckedDepth, &CheckedDepth::end>("end", "Why the bracket is no narrower.")});
+                     fields_within<CheckedPair, &CheckedPair::relation>(Described<Relation>::fields),
+                     std::tuple{field<CheckedPair, &CheckedPair::clash>("clash", "What it is called (ClashKind)."),
+                                field<CheckedPair, &CheckedPair::tolerance>(
+                                    "tolerance", "How an overlap stands to the tolerance (ClashTolerance).")});
 };
 
 std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what) {
@@ -211,6 +204,7 @@ are asked. Questions may be asked from many threads at once. Raises Error naming
         return nb::make_tuple(nb::type<HeldIndex>(), nb::make_tuple(objects_of(held)));
       });
   ObjectQuestions<SceneObjects, HeldIndex>(bound).bind();
+  CharacterQuestions<SceneObjects, HeldIndex>(module, bound, "Scene").bind();
 }
 
 // check_all.
@@ -219,7 +213,8 @@ constexpr double most_index = std::numeric_limits<Index>::max();
 
 std::vector<CheckedPair> pairs_of(const CheckAnswer& answer) {
   std::vector<CheckedPair> pairs;
-  for (const PairAnswer& pair : answer.pairs) pairs.push_back({pair.a, pair.b, pair.relation});
+  for (const PairAnswer& pair : answer.pairs)
+    pairs.push_back({pair.a, pair.b, pair.relation, pair.kind, pair.tolerance});
   return pairs;
 }
 
@@ -262,6 +257,25 @@ CheckOptions options_of(const nb::object& clearance, const nb::object& pair_clea
   return options;
 }
 
+void bind_clashes(nb::module_& module) {
+  using Kind = PairAnswer::Kind;
+  nb::enum_<Kind>(module, "ClashKind", nb::is_arithmetic(), "What a clash is in the field's words.")
+      .value("clearance", Kind::clearance, "Near, and not in contact.")
+      .value("touching", Kind::touching)
+      .value("crossing", Kind::crossing, "A surface takes part.")
+      .value("overlap", Kind::overlap, "Of two solids; whether one passes through the other was not asked.")
+      .value("protrude", Kind::protrude, "One goes into the other, and not through it.")
+      .value("pierce", Kind::pierce, "One goes into the other at one place and out at another.")
+      .value("contains", Kind::contains, "One lies wholly inside the other.")
+      .value("equal", Kind::equal);
+  using Tolerance = PairAnswer::Tolerance;
+  nb::enum_<Tolerance>(module, "ClashTolerance", nb::is_arithmetic(), "How an overlap stands to the tolerance.")
+      .value("none", Tolerance::none, "None was asked for, or the two do not overlap.")
+      .value("within", Tolerance::within, "Certainly no deeper.")
+      .value("beyond", Tolerance::beyond, "Certainly deeper.")
+      .value("undecided", Tolerance::undecided, "Its bracket holds the tolerance, or there is no depth.");
+}
+
 void bind_check(nb::module_& module) {
   nb::enum_<DepthEnd>(module, "DepthEnd", nb::is_arithmetic(), "Why the search for a depth ended.")
       .value("precise", DepthEnd::precise)
@@ -273,7 +287,8 @@ Everything is told in structured arrays; where one has a field pair, that counts
       .def("__len__", [](const CheckAnswer& answer) { return answer.pairs.size(); })
       .def_prop_ro(
           "pairs", [](const CheckAnswer& answer) { return structured(pairs_of(answer)); },
-          "a, b and the members of Relation, ascending by (a, b): a new array.")
+          "a, b, the members of Relation, clash (ClashKind) and tolerance (ClashTolerance), ascending by (a, b): a new "
+          "array.")
       .def_prop_ro("contacts", &contacts_of, "pair and the fields of contacts.")
       .def_prop_ro("regions", &regions_of, "pair and the fields of contact_regions, of two meshes, with penetration.")
       .def_prop_ro(
@@ -285,12 +300,18 @@ Everything is told in structured arrays; where one has a field pair, that counts
       .def_prop_ro(
           "penetrations",
           [](const CheckAnswer& answer) {
-            return rows_of_pairs<CheckedDepth>(answer, [](const PairAnswer& pair) -> std::optional<CheckedDepth> {
+            return rows_of_pairs<DepthBracket>(answer, [](const PairAnswer& pair) -> std::optional<DepthBracket> {
               if (!pair.penetration) return {};
-              return CheckedDepth{*pair.penetration, pair.depth_end};
+              return DepthBracket{*pair.penetration, pair.depth_end};
             });
           },
           "pair, the members of Penetration, and end (DepthEnd).")
+      .def_prop_ro(
+          "volumes",
+          [](const CheckAnswer& answer) {
+            return rows_of_pairs<OverlapVolume>(answer, [](const PairAnswer& pair) { return pair.volume; });
+          },
+          "pair and the members of OverlapVolume, where the volume was asked for.")
       .def_ro("candidate_pairs", &CheckAnswer::candidate_pairs, "How many pairs were looked at.")
       .def("__repr__", [](const CheckAnswer& answer) {
         return fmt::format("<toccata.CheckAnswer of {} pairs>", answer.pairs.size());
@@ -298,12 +319,15 @@ Everything is told in structured arrays; where one has a field pair, that counts
   module.def(
       "check_all",
       [](const ObjectsLike& objects, bool contacts, bool penetration, const nb::object& clearance,
-         const nb::object& pair_clearances, double precision, int threads) {
+         const nb::object& pair_clearances, double precision, bool volume, std::optional<double> tolerance,
+         int threads) {
         const std::vector<SceneInstance> instances = instances_of(objects, "objects");
         CheckOptions options = options_of(clearance, pair_clearances);
         options.contacts = contacts;
         options.penetration = penetration;
         options.depth.precision = precision;
+        options.volume = volume;
+        options.tolerance = tolerance;
         const Interruptible call(threads, false);
         options.threads = threads;
         options.progress = call.options().progress;
@@ -311,16 +335,19 @@ Everything is told in structured arrays; where one has a field pair, that counts
       },
       nb::arg("objects"), nb::kw_only(), nb::arg("contacts") = false, nb::arg("penetration") = false,
       nb::arg("clearance") = nb::none(), nb::arg("pair_clearances") = nb::none(),
-      nb::arg("precision") = CheckOptions{}.depth.precision, nb::arg("threads") = all_threads,
+      nb::arg("precision") = CheckOptions{}.depth.precision, nb::arg("volume") = false,
+      nb::arg("tolerance") = nb::none(), nb::arg("threads") = all_threads,
       nb::sig(
           "def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, "
           "clearance: float | None = None, pair_clearances: collections.abc.Sequence[tuple[int, int, float]] | None "
-          "= None, precision: float = 0.1, threads: int = 0) -> CheckAnswer"),
+          "= None, precision: float = 0.1, volume: bool = False, tolerance: float | None = None, threads: int = 0) -> "
+          "CheckAnswer"),
       R"(Every two of many posed shapes that are not apart, or nearer than the clearance, and how they lie.
 
 The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
 (brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
-(a, b, length), says others for some. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
+(a, b, length), says others for some. volume asks how much they have in common; overlaps that are certainly no deeper than
+the tolerance are told to be within it. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
 naming the object that is asked about wrongly.)");
   module.def(
       "self_contacts_each",
@@ -341,6 +368,7 @@ naming the object that is asked about wrongly.)");
 void bind_scenes(nb::module_& module) {
   bind_instance(module);
   bind_index(module);
+  bind_clashes(module);
   bind_check(module);
 }
 

@@ -39,11 +39,17 @@ void bind_shapes(nb::module_& module);
 void bind_pair_questions(nb::module_& module);
 void bind_point_questions(nb::module_& module);
 void bind_contact_questions(nb::module_& module);
+void bind_depths(nb::module_& module);
+void bind_regions(nb::module_& module);
+void bind_mover_options(nb::module_& module);
+void bind_deforming(nb::module_& module);
+void bind_meshes(nb::module_& module);
 void bind_scenes(nb::module_& module);
 void bind_motions(nb::module_& module);
 void bind_worlds(nb::module_& module);
 void bind_boxes(nb::module_& module);
 void bind_parts(nb::module_& module);
+void bind_robots(nb::module_& module);
 void bind_caches(nb::module_& module);
 void bind_pages(nb::module_& module);
 

@@ -16,6 +16,7 @@
 #include <toccata/world/world.hpp>
 #include <toccata/world/world_queries.hpp>
 
+#include "characters.hpp"
 #include "motions.hpp"
 #include "object_questions.hpp"
 
@@ -88,13 +89,13 @@ class HeldWorld {
     return use(world_);
   }
 
-  /// For ObjectQuestions, which has given the interpreter's lock away.
+  /// `ask(queries)`, of who has given the interpreter's lock away.
   template <class Ask>
   auto ask(const Ask& ask) const {
     const std::lock_guard guard(*mutex_);
     if (!queries_) queries_.emplace(world_);
     queries_->update();
-    return ask(static_cast<const ObjectQueries<WorldBodies>&>(*queries_));
+    return ask(std::as_const(*queries_));
   }
 
  private:
@@ -441,6 +442,10 @@ void bind_bodies_of_world(BoundWorld& bound) {
           nb::arg("a"), nb::arg("b"), "Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays.");
 }
 
+nb::object pair_told(const std::optional<BodyPair>& pair) {
+  return pair ? nb::object(nb::make_tuple(pair->a, pair->b)) : nb::none();
+}
+
 void bind_state_of_world(BoundWorld& bound) {
   bound
       .def(
@@ -450,6 +455,39 @@ void bind_state_of_world(BoundWorld& bound) {
           "any_overlap", [](const HeldWorld& held) { return without_lock([&] { return held.ask(&any_overlap); }); },
           "Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and "
           "rules. Exact; needs no step, and stops at the first two that it finds.")
+      .def(
+          "any_contact",
+          [](const HeldWorld& held) {
+            return pair_told(without_lock(
+                [&] { return held.ask([](const WorldQueries& queries) { return queries.any_contact(); }); }));
+          },
+          nb::sig("def any_contact(self) -> tuple[BodyId, BodyId] | None"),
+          "The least pair of bodies that have a point in common where they are now, by their indices, of those that "
+          "make "
+          "pairs; None is proved. Margins do not matter. Needs no step.")
+      .def(
+          "any_within",
+          [](const HeldWorld& held, double distance) {
+            return pair_told(without_lock(
+                [&] { return held.ask([&](const WorldQueries& queries) { return queries.any_within(distance); }); }));
+          },
+          nb::arg("distance"), nb::sig("def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None"),
+          "The same of pairs that are at most so far apart, decided exactly. Raises Error for what is no length.")
+      .def(
+          "least_distance",
+          [](const HeldWorld& held, double max_distance) -> nb::object {
+            const auto found = without_lock([&] {
+              return held.ask([&](const WorldQueries& queries) { return queries.least_distance({}, max_distance); });
+            });
+            if (!found) return nb::none();
+            return nb::make_tuple(found->bodies.a, found->bodies.b, static_cast<const Distance&>(*found));
+          },
+          nb::arg("max_distance") = std::numeric_limits<double>::infinity(),
+          nb::sig("def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | "
+                  "None"),
+          "The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where "
+          "none "
+          "is within the greatest distance.")
       .def_prop_ro(
           "pairs",
           [](const HeldWorld& held) {
@@ -536,6 +574,7 @@ other.)");
   bind_bodies_of_world(bound);
   bind_state_of_world(bound);
   ObjectQuestions<WorldBodies, HeldWorld>(bound).bind();
+  CharacterQuestions<WorldBodies, HeldWorld>(module, bound, "Body").bind();
 }
 
 }  // namespace toccata::python

@@ -1,9 +1,19 @@
 """What the tests share: shapes of every kind, poses, and the seeds of what is random."""
 
+import os
+
 import numpy
 import pytest
 
 import toccata
+
+# The test python/wheel looks at a part of what is tried at random; --all and the package's own tests at all of it.
+SLICE = bool(os.environ.get("TOCCATA_TEST_SLICE"))
+
+
+def in_slices(count: int) -> int:
+    """So many, or a tenth."""
+    return max(1, count // 10) if SLICE else count
 
 
 def rotation(rng: numpy.random.Generator) -> numpy.ndarray:

@@ -13,13 +13,13 @@ import numpy
 import pytest
 
 import toccata
-from conftest import matrices, one_of_each
+from conftest import SLICE, in_slices, matrices, one_of_each
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMAND = pathlib.Path(os.environ.get("TOCCATA_COMMAND", ROOT / "build/release/apps/toccata/toccata"))
 pytestmark = pytest.mark.skipif(not COMMAND.exists(), reason=f"there is no command {COMMAND}: nothing to compare with")
-POSES = 40
-POINTS = 100
+POSES = in_slices(40)
+POINTS = in_slices(100)
 
 
 def described(shape: toccata.Shape, folder: pathlib.Path) -> dict:
@@ -101,7 +101,7 @@ def test_questions_about_two_shapes(tmp_path):
                 for name in ("lower", "upper", "direction", "on_a", "on_b"):
                     assert numpy.array_equal(told["penetration"][name], getattr(depth, name)), (a, b, told, depth)
             compared += 1
-    assert compared >= 9000
+    assert compared >= (900 if SLICE else 9000)
 
 
 def defined(question, a, b) -> bool:
@@ -131,4 +131,4 @@ def test_questions_about_points_and_rays(tmp_path):
             assert (told["signed_lower"], told["signed_upper"]) == (row["lower"], row["upper"]), (shape, told, row)
             assert numpy.array_equal(told["nearest"][0]["at"], row["nearest"]) and told["side"] == toccata.Side(row["side"]).name
             compared += 1
-    assert compared >= 2500
+    assert compared >= (250 if SLICE else 2500)

@@ -79,3 +79,35 @@ def test_the_volume_that_is_passed():
     assert not toccata.overlap(volume, BALL, pose_b=(0, 4, 0))
     capsule, excess = toccata.swept_volume(BALL, toccata.RigidMotion.straight(None, (1, 0, 0)))
     assert excess == 0 and capsule == toccata.Capsule((0, 0, 0), (1, 0, 0), 0.5)
+
+
+def test_a_motion_may_be_told_by_a_function(knot):
+    """What turns evenly, told both ways: the time by the function is within what its bound allows."""
+    box, ball = toccata.Box((1, 1, 1)), toccata.Sphere(0.5)
+    turned = lambda s: toccata.Pose.rotation((0, 0, 1), 90 * s) * toccata.Pose((4 - 4 * s, 0, 0))  # noqa: E731
+    motion = toccata.RigidMotion.of(turned, speed=8, turns=0.25)
+    assert motion.at(0.5) == turned(0.5) and not motion.pieces
+    hit = toccata.sweep(box, (0, 0, 0), ball, motion)
+    assert hit.hit and toccata.distance(box, ball, pose_b=turned(hit.lower)).upper < 1e-6 * 8
+    assert all(not toccata.overlap(box, ball, pose_b=turned(s)) for s in numpy.linspace(0, hit.lower * 0.999, 50))
+    assert not toccata.sweep(box, (9, 9, 9), ball, motion)
+    hits = toccata.sweep_each(ball, [motion] * 4, box, threads=2)
+    assert (hits["hit"]).all() and len(set(hits["lower"].tolist())) == 1
+    fast = toccata.RigidMotion.of(lambda s: (9 - 9 * s, 0, 0), speed=1)
+    with pytest.raises(toccata.Error, match="faster"):
+        toccata.sweep(box, (0, 0, 0), ball, fast)
+
+    def broken(time: float) -> object:
+        raise KeyError("a word of mine")
+
+    for threads in (1, 2):
+        with pytest.raises(KeyError, match="a word of mine"):
+            toccata.sweep_each(ball, [toccata.RigidMotion.of(broken, speed=1)] * 3, box, threads=threads)
+    for wrong in (lambda s: "x", lambda s: None if s else [1, 2], lambda s: numpy.full(3, numpy.nan)):
+        with pytest.raises(toccata.Error):
+            toccata.sweep(box, (0, 0, 0), ball, toccata.RigidMotion.of(wrong, speed=1))
+    for speed in (-1, numpy.nan, numpy.inf):
+        with pytest.raises(toccata.Error):
+            toccata.RigidMotion.of(turned, speed=speed)
+    with pytest.raises(TypeError):
+        toccata.RigidMotion.of(5, speed=1)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import toccata
+from conftest import in_slices
 
 REFUSED = (toccata.Error, TypeError, OverflowError)
 BALL, BOX, MESH = toccata.Sphere(1), toccata.Box((1, 1, 1)), toccata.generate_mesh("icosphere", radius=1, subdivisions=1)
@@ -42,7 +43,7 @@ ANYTHING = st.one_of(
     st.dictionaries(st.integers(), st.integers(), max_size=2),
     st.complex_numbers(),
 )
-OFTEN = settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+OFTEN = settings(max_examples=in_slices(150), deadline=None, suppress_health_check=list(HealthCheck))
 
 
 def tried(ask, *arguments, **named):
@@ -153,6 +154,71 @@ def test_scenes_worlds_and_motions(a, b):
     tried(toccata.BroadPhase().add, a)
     tried(toccata.BroadPhase().move, a, b)
     tried(toccata.BodyFilter, except_bodies=a)
+
+
+ROBOT = toccata.Robot.generated(0)
+SCENE = toccata.RobotScene(ROBOT, [BOX])
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING, ANYTHING)
+def test_robots(a, b, c):
+    for ask in (SCENE.meets, SCENE.meets_each, SCENE.contacts, SCENE.contacts_each, SCENE.distance, SCENE.distance_each, ROBOT.posed, ROBOT.link_poses, ROBOT.link_poses_each, ROBOT.beyond_limits):
+        tried(ask, a)
+    for ask in (SCENE.edge, SCENE.edge_each, SCENE.free_each, SCENE.distance):
+        tried(ask, a, b)
+        tried(ask, ROBOT.rest(), b)
+    tried(toccata.RobotScene, ROBOT, a, allowed=b)
+    tried(toccata.RobotScene, ROBOT, [(BALL, a)], allowed=[(b, c)])
+    tried(toccata.Robot, {"a": a}, b, name=c)
+    tried(toccata.Robot, a, [b])
+    joint = tried(toccata.RobotJoint, "j", toccata.RobotJointKind.revolute, "a", "b", a, b, c)
+    if joint is not None:
+        tried(toccata.Robot, {"a": [BALL], "b": [(BOX, a)]}, [joint])
+    tried(ROBOT.with_attached, a, BALL, "link 1", b)
+    tried(ROBOT.with_attached, "cup", BALL, "link 1", a, b)
+    tried(toccata.point_cloud, a, 0.5)
+    tried(toccata.voxel_map, a, b)
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING, ANYTHING)
+def test_what_moves_and_deforms(a, b, c):
+    level, mesh = toccata.SceneIndex([BOX]), toccata.DeformingMesh(MESH)
+    for ask in (mesh.advance, mesh.move_to, mesh.meets, mesh.first_impact):
+        tried(ask, a)
+    assert mesh.start.shape == MESH.vertices.shape and numpy.isfinite(mesh.end).all()
+    tried(toccata.DeformingMesh, MESH, a)
+    tried(mesh.meets, separation=a)
+    state = tried(toccata.SceneMoverState, a, b)
+    options = tried(toccata.MoverOptions, up=a, skin=b)
+    tried(level.move_character, BALL, state or toccata.SceneMoverState(), b, options or toccata.MoverOptions(), only=c)
+    tried(level.move_character, BALL, toccata.SceneMoverState((0, 0, 3)), (0, 0, -1), moved=a)
+    tried(toccata.velocity_along, a, b)
+    motion = tried(toccata.RigidMotion.of, lambda s: a, speed=10)
+    if motion is not None:
+        tried(motion.at, 0.5)
+        tried(toccata.sweep, BALL, motion, BOX, b)
+
+
+@OFTEN
+@given(ANYTHING, ANYTHING)
+def test_depths_and_regions(a, b):
+    tried(toccata.depth_bracket, BALL, BOX, a, precision=b)
+    tried(toccata.depth_bracket_each, BALL, BOX, a, time_limit=b)
+    for ask in (toccata.overlap_volume, toccata.manifolds, toccata.first_contact, toccata.manifold_each):
+        tried(ask, BALL, BOX, a, b)
+    tried(toccata.faces_in_box, MESH, a, b)
+    tried(toccata.faces_in_ball, MESH, a, b)
+    tried(toccata.faces_in_region_each, MESH, boxes=a)
+    tried(toccata.faces_in_region_each, MESH, centres=a, radii=b)
+    tried(toccata.nearest_points_each, a, 2, [MESH])
+    tried(toccata.nearest_points_each, [[0, 0, 0]], 2, a, b)
+    tried(toccata.scene_signed_distance_each, a, [MESH, BALL])
+    tried(toccata.close_mesh, MESH, a)
+    tried(toccata.hull_of_half_spaces, a)
+    tried(toccata.view_frustum, a, b)
+    tried(toccata.load_scene, a)
 
 
 @pytest.mark.parametrize(

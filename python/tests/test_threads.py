@@ -124,8 +124,8 @@ def test_processes_that_are_forked_or_spawned():
         assert process.exitcode == 0
 
 
-def test_import_is_quick():
-    """What toccata adds to numpy's own import."""
-    measure = "import numpy, time; t = time.perf_counter(); import toccata; print(time.perf_counter() - t)"
-    times = [float(subprocess.run([sys.executable, "-c", measure], capture_output=True, text=True, check=True).stdout) for _ in range(5)]
-    assert min(times) <= 0.15, times
+def test_import_brings_nothing_heavy():
+    """Quick because of what it leaves alone: numpy is all that it needs."""
+    script = "import sys, numpy; known = set(sys.modules); import toccata; print(*{m.partition('.')[0] for m in set(sys.modules) - known})"
+    brought = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout.split()
+    assert "toccata" in brought and not {"trimesh", "scipy", "fcl", "matplotlib", "asyncio", "multiprocessing"} & set(brought), brought

@@ -8,12 +8,13 @@ ValueError that says what to do. Many posed shapes are a SceneIndex, or a World 
 `toccata.fcl` stand in for trimesh's collision manager and for python-fcl. See docs/guide/python.md.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 import enum
 import os
 from typing import overload
 
 import Solid
+import numpy
 import numpy.typing
 
 from toccata._show import (
@@ -1218,6 +1219,42 @@ def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None,
     Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.
     """
 
+class MoverOptions:
+    """
+    How a character moves (move_character). Lengths are in the unit of the coordinates.
+
+    up: a vector of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the steepest ground
+    that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
+    is looked for. max_slides: how often the way may bend in one step.
+    """
+
+    def __init__(self, *, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), skin: float = 0.01, max_slope_degrees: float = 45.0, step_height: float = 0.3, snap_distance: float = 0.3, max_slides: int = 8) -> None: ...
+
+    @property
+    def up(self) -> toccata._typing.Floats: ...
+
+    @property
+    def skin(self) -> float: ...
+
+    @property
+    def max_slope_degrees(self) -> float: ...
+
+    @property
+    def step_height(self) -> float: ...
+
+    @property
+    def snap_distance(self) -> float: ...
+
+    @property
+    def max_slides(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+def velocity_along(velocity: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike) -> toccata._typing.Floats:
+    """
+    The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character.
+    """
+
 class SceneInstance:
     """
     A shape at its place, as one of many.
@@ -1493,6 +1530,142 @@ class SceneIndex:
         nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
         """
 
+    def move_character(self, shape: Shape, start: SceneMoverState, motion: numpy.typing.ArrayLike, options: MoverOptions = ..., *, only: numpy.typing.ArrayLike | None = None, moved: Sequence[tuple[int, toccata._typing.PoseLike | None]] | None = None) -> SceneMoverStep:
+        """
+        One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
+        """
+
+class SceneMoverContact:
+    """Something that a character stands on, or met on its way."""
+
+    @property
+    def object(self) -> int:
+        """Which."""
+
+    @property
+    def element(self) -> int:
+        """The element, of a mesh the triangle."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """The nearest of the object, shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, from there to the shape; shape (3,)."""
+
+    def __repr__(self) -> str: ...
+
+class SceneMoverState:
+    """
+    Where a character is: all that is known of it from one step to the next.
+    """
+
+    def __init__(self, pose: toccata._typing.PoseLike | None = None, ground: SceneMoverContact | None = None) -> None: ...
+
+    @property
+    def pose(self) -> Pose:
+        """Of the shape; a step changes its offset alone."""
+
+    @property
+    def ground(self) -> SceneMoverContact | None:
+        """What it stands on; None: it is in the air."""
+
+    def __repr__(self) -> str: ...
+
+class SceneMoverStep:
+    """What came of a step of a character."""
+
+    @property
+    def state(self) -> SceneMoverState:
+        """Where it is now."""
+
+    @property
+    def moved(self) -> toccata._typing.Floats:
+        """By how much in all, shape (3,)."""
+
+    @property
+    def carried(self) -> toccata._typing.Floats:
+        """By how much of it on or by objects that moved."""
+
+    @property
+    def pushed_out(self) -> toccata._typing.Floats:
+        """And out of what it began in."""
+
+    @property
+    def contacts(self) -> list[SceneMoverContact]:
+        """Met by its own motion, in the order in which they were."""
+
+    @property
+    def met_wall(self) -> bool:
+        """One of them is too steep to be walked on."""
+
+    @property
+    def met_ceiling(self) -> bool:
+        """One faces down as ground faces up."""
+
+    @property
+    def stepped(self) -> bool:
+        """Up a step."""
+
+    @property
+    def tight(self) -> bool:
+        """It is still nearer to something than it stays."""
+
+    @property
+    def stuck(self) -> bool:
+        """It still overlaps something: there was no way out."""
+
+    @property
+    def crushed(self) -> bool:
+        """Something that moved its way could not push it aside."""
+
+    @property
+    def cut_short(self) -> bool:
+        """It may not have gone as far as it can; the contacts tell why."""
+
+    def __repr__(self) -> str: ...
+
+class ClashKind(enum.IntEnum):
+    """What a clash is in the field's words."""
+
+    clearance = 0
+    """Near, and not in contact."""
+
+    touching = 1
+
+    crossing = 2
+    """A surface takes part."""
+
+    overlap = 3
+    """Of two solids; whether one passes through the other was not asked."""
+
+    protrude = 4
+    """One goes into the other, and not through it."""
+
+    pierce = 5
+    """One goes into the other at one place and out at another."""
+
+    contains = 6
+    """One lies wholly inside the other."""
+
+    equal = 7
+
+class ClashTolerance(enum.IntEnum):
+    """How an overlap stands to the tolerance."""
+
+    none = 0
+    """None was asked for, or the two do not overlap."""
+
+    within = 1
+    """Certainly no deeper."""
+
+    beyond = 2
+    """Certainly deeper."""
+
+    undecided = 3
+    """Its bracket holds the tolerance, or there is no depth."""
+
 class DepthEnd(enum.IntEnum):
     """Why the search for a depth ended."""
 
@@ -1513,7 +1686,9 @@ class CheckAnswer:
 
     @property
     def pairs(self) -> toccata._typing.Answers:
-        """a, b and the members of Relation, ascending by (a, b): a new array."""
+        """
+        a, b, the members of Relation, clash (ClashKind) and tolerance (ClashTolerance), ascending by (a, b): a new array.
+        """
 
     @property
     def contacts(self) -> toccata._typing.Answers:
@@ -1534,24 +1709,331 @@ class CheckAnswer:
         """pair, the members of Penetration, and end (DepthEnd)."""
 
     @property
+    def volumes(self) -> toccata._typing.Answers:
+        """pair and the members of OverlapVolume, where the volume was asked for."""
+
+    @property
     def candidate_pairs(self) -> int:
         """How many pairs were looked at."""
 
     def __repr__(self) -> str: ...
 
-def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, clearance: float | None = None, pair_clearances: Sequence[tuple[int, int, float]] | None = None, precision: float = 0.1, threads: int = 0) -> CheckAnswer:
+def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, clearance: float | None = None, pair_clearances: Sequence[tuple[int, int, float]] | None = None, precision: float = 0.1, volume: bool = False, tolerance: float | None = None, threads: int = 0) -> CheckAnswer:
     """
     Every two of many posed shapes that are not apart, or nearer than the clearance, and how they lie.
 
     The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
     (brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
-    (a, b, length), says others for some. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
+    (a, b, length), says others for some. volume asks how much they have in common; overlaps that are certainly no deeper than
+    the tolerance are told to be within it. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
     naming the object that is asked about wrongly.
     """
 
 def self_contacts_each(objects: toccata._typing.ObjectsLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
     Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, and object, which says whose contact a row is.
+    """
+
+class Contact:
+    """Two elements, one of each shape, that have a point in common."""
+
+    @property
+    def triangle_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def triangle_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    @property
+    def kind(self) -> IntersectionKind:
+        """Point, segment or polygon."""
+
+    @property
+    def coplanar(self) -> bool:
+        """All six vertices lie in a plane."""
+
+    @property
+    def crossing(self) -> bool:
+        """They pass through each other."""
+
+    @property
+    def point_count(self) -> int:
+        """Corners of what they have in common."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class DepthBracket:
+    """
+    How deep two solids overlap, as narrow as asked, and why the bracket is no narrower.
+    """
+
+    @property
+    def lower(self) -> float:
+        """The exact depth is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """Moved this far along the direction, B no longer overlaps A."""
+
+    @property
+    def direction(self) -> toccata._typing.Floats:
+        """Unit vector from A to B; shape (3,)."""
+
+    @property
+    def on_a(self) -> toccata._typing.Floats:
+        """The deepest point of A within B; shape (3,)."""
+
+    @property
+    def on_b(self) -> toccata._typing.Floats:
+        """The deepest point of B within A; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def end(self) -> DepthEnd:
+        """Why it is no narrower."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+def depth_bracket(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, precision: float = 0.02, time_limit: float = float('inf'), solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> DepthBracket:
+    """
+    penetration, as narrow as asked: upper <= (1 + precision) * lower, or the bracket tells why not.
+
+    time_limit: seconds, after which nothing new is begun; the answer depends on the machine then, as nothing else does. Raises
+    Error like penetration, and for a precision or a limit that is not above 0.
+    """
+
+def depth_bracket_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, precision: float = 0.02, time_limit: float = float('inf'), solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+    """
+    depth_bracket of many, on all cores: a structured array with the members of DepthBracket. The time limit is that of each.
+    """
+
+class OverlapVolume:
+    """
+    How much volume two solids have in common; the exact number lies in [lower, upper].
+    """
+
+    @property
+    def lower(self) -> float:
+        """In the cubed unit of the coordinates."""
+
+    @property
+    def upper(self) -> float:
+        """The same."""
+
+    @property
+    def status(self) -> Status:
+        """not_converged: wider than 1e-9 of it."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+def overlap_volume(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> OverlapVolume:
+    """
+    How much volume two solids have in common, as a bracket that holds the exact number.
+
+    Of closed meshes, boxes and hulls it is as narrow as rounding; of what is round some thousandths wide. Raises Error like
+    overlap, and where one is a surface, and for two half-spaces.
+    """
+
+class ModelManifold(Manifold):
+    """A Manifold, and the two elements at which each of its points lies."""
+
+    @property
+    def elements_a(self) -> toccata._typing.Indices:
+        """Of A, of a mesh triangles; shape (count,)."""
+
+    @property
+    def elements_b(self) -> toccata._typing.Indices:
+        """Of B."""
+
+def manifolds(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> list[ModelManifold]:
+    """
+    Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
+
+    What slides over a surface does not catch on its inner edges. Empty exactly when they are apart, but for two half-spaces and
+    for what lies wholly within where no penetration is defined. Raises Error like overlap.
+    """
+
+def manifold_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, threads: int = 0) -> tuple[numpy.typing.NDArray[numpy.int32], toccata._typing.Floats, toccata._typing.Floats, toccata._typing.Floats]:
+    """
+    manifold of many, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which the first `count` of each are points and the others 0.
+    """
+
+def first_contact(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Contact | None:
+    """
+    The least of contacts, without the others; None where there is none. Raises Error like overlap.
+    """
+
+def distance_within_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, limit: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+    """
+    distance_within of many, on all cores: a structured array with the members of Distance, and found.
+    """
+
+def faces_in_box(shape: Shape, lower: numpy.typing.ArrayLike, upper: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
+    """
+    What of a posed shape has a point in common with a closed box of the world, by its least and its greatest corner.
+
+    A structured array: element and face, ascending. Exact, touching included; of a mesh its triangles are asked about, so a box
+    deep inside finds none. Raises Error when the box is empty or not finite, and for poses as overlap does.
+    """
+
+def faces_in_ball(shape: Shape, centre: numpy.typing.ArrayLike, radius: float, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
+    """The same of a closed ball, whose radius may be 0."""
+
+def faces_in_region_each(shape: Shape, *, boxes: numpy.typing.ArrayLike | None = None, centres: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike | None = None, pose: toccata._typing.PoseLike | None = None, threads: int = 0) -> toccata._typing.Answers:
+    """
+    faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or N, on all cores: one structured array of all, in order, whose field query says of which region a row is.
+    """
+
+def nearest_points_each(points: numpy.typing.ArrayLike, k: int, objects: toccata._typing.ObjectsLike, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured array, the nearest first of each, with query, object and the members of SurfacePoint. Raises Error naming the point.
+    """
+
+def scene_signed_distance_each(points: numpy.typing.ArrayLike, objects: toccata._typing.ObjectsLike, sign_by: SignBy = SignBy.automatic, *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    How far many points, shape (N, 3), are from the nearest surface of all objects, negative inside one of them: a structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the first object that the point is inside of.
+    """
+
+class MeshFaultKind(enum.IntEnum):
+    """
+    What is out of order at a place of a mesh: what MeshHealth counts under the same name.
+    """
+
+    boundary_edges = 0
+
+    non_manifold_edges = 1
+
+    flipped_edges = 2
+
+    degenerate_triangles = 3
+
+    duplicate_triangles = 4
+
+    unused_vertices = 5
+
+class MeshFault:
+    """
+    Faults of one kind that hang together through vertices: the edges around one hole, say. Its length is how many there are.
+    """
+
+    @property
+    def kind(self) -> MeshFaultKind: ...
+
+    @property
+    def edges(self) -> toccata._typing.Indices:
+        """By their vertices, shape (N, 2)."""
+
+    @property
+    def triangles(self) -> toccata._typing.Indices: ...
+
+    @property
+    def vertices(self) -> toccata._typing.Indices: ...
+
+    def __len__(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+def mesh_faults(mesh: Shape) -> list[MeshFault]:
+    """
+    Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it says.
+    """
+
+class MeshRepair:
+    """What close_mesh has done, counted."""
+
+    @property
+    def moved_vertices(self) -> int:
+        """Of the boundary, onto another one."""
+
+    @property
+    def collapsed_triangles(self) -> int:
+        """They are gone."""
+
+    @property
+    def filled_holes(self) -> int: ...
+
+    @property
+    def added_triangles(self) -> int:
+        """Each is a face of its own, after the others."""
+
+    @property
+    def open_holes(self) -> int:
+        """That are wider, or no simple loop."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+def close_mesh(mesh: Mesh, gap: float) -> tuple[Mesh, MeshRepair]:
+    """
+    Another mesh with the gaps closed that are no wider than `gap`, in the unit of the coordinates, and what was done: vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. What is no boundary stays as it is. Raises Error when the gap is not positive and finite.
+    """
+
+def closing_gap(mesh: Shape) -> float | None:
+    """
+    A gap by which close_mesh closes the mesh, at most twice the least of some that are tried; 0 of a closed one, None where none does.
+    """
+
+def mesh_parts(mesh: Shape) -> toccata._typing.Indices:
+    """
+    To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected through vertices, of equal coordinates taken as one.
+    """
+
+def hull_of_half_spaces(half_spaces: Sequence[HalfSpace]) -> ConvexHull:
+    """
+    The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles. Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no end.
+    """
+
+def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), *, field_of_view: float = 60.0, aspect: float = 1.0, nearest: float = 0.1, farthest: float = 1000.0) -> ConvexHull:
+    """
+    The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in degrees; aspect, its width over its height; nearest and farthest, in the unit of the coordinates. What it overlaps is in view. Raises Error that names a number out of range.
+    """
+
+def load_scene(path: str, unit: str | None = None, *, scale: float = 1.0, split: bool = False) -> list[SceneInstance]:
+    """
+    The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their node tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, "mm", "in", or metres, as "0.001"; lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. Raises Error naming the file and the line.
     """
 
 class RigidMotion:
@@ -1585,6 +2067,12 @@ class RigidMotion:
     def through(times: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> RigidMotion:
         """
         Through poses at times that ascend from 0 to 1, as between each and the next.
+        """
+
+    @staticmethod
+    def of(pose_at: Callable[[float], toccata._typing.PoseLike], *, speed: float, turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) -> RigidMotion:
+        """
+        Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all such motions. The function is asked from any thread, with the interpreter's lock, and has to return the same for the same time; what it raises comes out of the question. Raises Error when a bound is negative or not finite.
         """
 
     def at(self, time: float) -> Pose:
@@ -1630,6 +2118,119 @@ def edge_edge_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLi
     """
     The same of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other.
     """
+
+class FeatureKind(enum.IntEnum):
+    """A part of a triangle."""
+
+    vertex = 0
+
+    edge = 1
+
+    face = 2
+
+class MeshImpact:
+    """
+    Two features of meshes that deform, which meet, and when first: the exact time lies in [lower, upper], two neighbouring multiples of 2**-40, or is both.
+    """
+
+    @property
+    def kind_a(self) -> FeatureKind:
+        """Vertex, edge or face; of the first mesh, or the lesser."""
+
+    @property
+    def number_a(self) -> int:
+        """The vertex, the edge (DeformingMesh.edges) or the triangle."""
+
+    @property
+    def kind_b(self) -> FeatureKind:
+        """The same of the other."""
+
+    @property
+    def number_b(self) -> int: ...
+
+    @property
+    def lower(self) -> float:
+        """They do not meet before; from 0 to 1."""
+
+    @property
+    def upper(self) -> float:
+        """They have met by then; 0: at the start."""
+
+    @property
+    def status(self) -> Status:
+        """exact without a separation."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class DeformingMesh:
+    """
+    A mesh over one step, in which every vertex moves straight on: continuous collision of meshes that deform.
+
+    At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end` is where it starts. Questions are asked
+    of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting
+    is contact, exactly, or to be at most `separation` apart, in the unit of the coordinates. `starts_free` promises that nothing
+    meets at the start, which saves time. Answers do not depend on threads. Raises Error for another number of ends than of
+    vertices, for what is not finite, and for a promise that is found broken.
+    """
+
+    def __init__(self, mesh: Mesh, end: numpy.typing.ArrayLike | None = None, *, threads: int = 1) -> None: ...
+
+    def move_to(self, end: numpy.typing.ArrayLike, *, threads: int = 1) -> None:
+        """
+        Another end of the same step, shape (N, 3), as when a solver tries a shorter one. No question sees an old box after it. Raises Error for another number of vertices and for one that is not finite; the mesh then stays as it was.
+        """
+
+    def advance(self, end: numpy.typing.ArrayLike, *, threads: int = 1) -> None:
+        """
+        The next step: what was the end is the start. Raises Error like move_to.
+        """
+
+    @property
+    def start(self) -> toccata._typing.Floats:
+        """Where the vertices are at the time 0, shape (N, 3): a new array."""
+
+    @property
+    def end(self) -> toccata._typing.Floats:
+        """And at the time 1."""
+
+    @property
+    def edges(self) -> toccata._typing.Indices:
+        """
+        Every edge of a triangle once, by its vertices, ascending, shape (E, 2): an edge's number is its row.
+        """
+
+    def __repr__(self) -> str: ...
+
+    def meets(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, threads: int = 1) -> bool:
+        """Whether any two features meet in the step."""
+
+    def first_impact(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, threads: int = 1) -> MeshImpact | None:
+        """
+        The first two to meet: the least by (lower, upper, a, b); None is proved.
+        """
+
+    def impacts(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, threads: int = 1) -> toccata._typing.Answers:
+        """
+        All that meet, each two once, in the same order: a structured array with the members of MeshImpact.
+        """
+
+    def free_step(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, threads: int = 1) -> tuple[float, MeshImpact | None]:
+        """
+        The part of the step in which nothing meets, and what ends it: 1 and None where all of it is free. Where the start is not free it is 0 and means nothing.
+        """
+
+    def free_steps(self, other: DeformingMesh | None = None, *, separation: float = 0.0, starts_free: bool = False, threads: int = 1) -> tuple[toccata._typing.Floats, toccata._typing.Floats | None]:
+        """
+        For each vertex a fraction of its own way: however fast each goes, and wherever up to that it stops, nothing meets. Shapes (N,), of this mesh and of the other, or None.
+        """
 
 class BodyType(enum.Enum):
     """Which pairs of bodies are of interest."""
@@ -2012,6 +2613,21 @@ class World:
         Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and rules. Exact; needs no step, and stops at the first two that it finds.
         """
 
+    def any_contact(self) -> tuple[BodyId, BodyId] | None:
+        """
+        The least pair of bodies that have a point in common where they are now, by their indices, of those that make pairs; None is proved. Margins do not matter. Needs no step.
+        """
+
+    def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None:
+        """
+        The same of pairs that are at most so far apart, decided exactly. Raises Error for what is no length.
+        """
+
+    def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | None:
+        """
+        The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where none is within the greatest distance.
+        """
+
     @property
     def pairs(self) -> WorldPairs:
         """All pairs of the last step."""
@@ -2097,6 +2713,102 @@ class World:
         """
         nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
         """
+
+    def move_character(self, shape: Shape, start: BodyMoverState, motion: numpy.typing.ArrayLike, options: MoverOptions = ..., *, only: BodyFilter | None = None, moved: Sequence[tuple[BodyId, toccata._typing.PoseLike | None]] | None = None) -> BodyMoverStep:
+        """
+        One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
+        """
+
+class BodyMoverContact:
+    """Something that a character stands on, or met on its way."""
+
+    @property
+    def object(self) -> BodyId:
+        """Which."""
+
+    @property
+    def element(self) -> int:
+        """The element, of a mesh the triangle."""
+
+    @property
+    def point(self) -> toccata._typing.Floats:
+        """The nearest of the object, shape (3,)."""
+
+    @property
+    def normal(self) -> toccata._typing.Floats:
+        """Unit, from there to the shape; shape (3,)."""
+
+    def __repr__(self) -> str: ...
+
+class BodyMoverState:
+    """
+    Where a character is: all that is known of it from one step to the next.
+    """
+
+    def __init__(self, pose: toccata._typing.PoseLike | None = None, ground: BodyMoverContact | None = None) -> None: ...
+
+    @property
+    def pose(self) -> Pose:
+        """Of the shape; a step changes its offset alone."""
+
+    @property
+    def ground(self) -> BodyMoverContact | None:
+        """What it stands on; None: it is in the air."""
+
+    def __repr__(self) -> str: ...
+
+class BodyMoverStep:
+    """What came of a step of a character."""
+
+    @property
+    def state(self) -> BodyMoverState:
+        """Where it is now."""
+
+    @property
+    def moved(self) -> toccata._typing.Floats:
+        """By how much in all, shape (3,)."""
+
+    @property
+    def carried(self) -> toccata._typing.Floats:
+        """By how much of it on or by objects that moved."""
+
+    @property
+    def pushed_out(self) -> toccata._typing.Floats:
+        """And out of what it began in."""
+
+    @property
+    def contacts(self) -> list[BodyMoverContact]:
+        """Met by its own motion, in the order in which they were."""
+
+    @property
+    def met_wall(self) -> bool:
+        """One of them is too steep to be walked on."""
+
+    @property
+    def met_ceiling(self) -> bool:
+        """One faces down as ground faces up."""
+
+    @property
+    def stepped(self) -> bool:
+        """Up a step."""
+
+    @property
+    def tight(self) -> bool:
+        """It is still nearer to something than it stays."""
+
+    @property
+    def stuck(self) -> bool:
+        """It still overlaps something: there was no way out."""
+
+    @property
+    def crushed(self) -> bool:
+        """Something that moved its way could not push it aside."""
+
+    @property
+    def cut_short(self) -> bool:
+        """It may not have gone as far as it can; the contacts tell why."""
+
+    def __repr__(self) -> str: ...
 
 def overlapping_pairs(boxes: numpy.typing.ArrayLike, *, method: str = 'auto', threads: int = 0) -> toccata._typing.Indices:
     """
@@ -2200,6 +2912,445 @@ def decompose(mesh: Shape, *, max_parts: int = 32, concavity: float = 0.0, threa
     ends it. Raises Error for what is no closed mesh, and for a limit out of range.
     """
 
+class RobotJointKind(enum.Enum):
+    """How a link moves against the one that it hangs on."""
+
+    fixed = 0
+    """Not at all; no position."""
+
+    revolute = 1
+    """Turns about its axis within limits; one position, in radians."""
+
+    continuous = 2
+    """The same without limits."""
+
+    prismatic = 3
+    """Slides along its axis; one position, a length."""
+
+    planar = 4
+    """Slides across its axis and turns about it: x, y and turn."""
+
+    floating = 5
+    """
+    Freely: x, y, z, then roll, pitch and yaw about the fixed axes x, y and z.
+    """
+
+class RobotJoint:
+    """
+    How one link of a robot hangs on another, as in URDF.
+
+    origin: where the child is in the parent's frame at the position 0, a rotation and a translation. axis: shape (3,), in the
+    child's frame. limits: (lower, upper) of the position, radians or a length. mimic: (joint, multiplier, offset), whose
+    position it follows.
+    """
+
+    def __init__(self, name: str, kind: RobotJointKind, parent: str, child: str, origin: toccata._typing.PoseLike | None = None, axis: numpy.typing.ArrayLike = (1.0, 0.0, 0.0), limits: tuple[float, float] | None = None, mimic: tuple[str, float, float] | None = None) -> None: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def kind(self) -> RobotJointKind: ...
+
+    @property
+    def parent(self) -> str:
+        """A link, by name."""
+
+    @property
+    def child(self) -> str:
+        """A link, by name."""
+
+    @property
+    def origin(self) -> Pose: ...
+
+    @property
+    def axis(self) -> toccata._typing.Floats: ...
+
+    @property
+    def limits(self) -> tuple[float, float] | None: ...
+
+    @property
+    def mimic(self) -> tuple[str, float, float] | None: ...
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __reduce__(self) -> tuple: ...
+
+    __hash__: None = None
+
+class RobotPosition:
+    """One of the numbers that a configuration is made of."""
+
+    @property
+    def name(self) -> str:
+        """The joint's; of a planar or floating one with "/x", "/y", …"""
+
+    @property
+    def joint(self) -> int:
+        """The number of the joint."""
+
+    @property
+    def turns(self) -> bool:
+        """It is in radians; else a length."""
+
+    @property
+    def limits(self) -> tuple[float, float] | None: ...
+
+    def __repr__(self) -> str: ...
+
+class Robot:
+    """
+    A tree of links and joints. Immutable.
+
+    Robot(links, joints): links are names with the shapes of each, as SceneInstance takes them, in the link's frame; base is
+    where the root link is in the world. Configurations are arrays of a number for each of `positions`, in radians where it
+    turns and in the unit of the lengths where it slides (URDF: metres). Raises Error naming the link or joint: no tree, two of
+    one name, an axis or a number that is not finite, limits the wrong way round.
+    """
+
+    def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = None) -> None: ...
+
+    @staticmethod
+    def from_urdf(path: str, packages: Sequence[str] = ()) -> Robot:
+        """
+        Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, before the folders that the file lies in. Raises Error naming the file, line and element; warns of sizes that look like another unit, and of links that have a picture alone.
+        """
+
+    @staticmethod
+    def generated(subdivisions: int = 3, seed: int = 1) -> Robot:
+        """
+        An arm of seven joints with a mesh of 20 · 4^subdivisions triangles for each link, 1.3 long: to try things with.
+        """
+
+    def write_urdf(self, folder: str) -> None:
+        """
+        Writes folder/robot.urdf, and every mesh beside it as an OBJ file. Raises Error naming the file that holds something else already, and the link whose shape URDF has not.
+        """
+
+    def with_attached(self, name: str, shape: Shape, link: str, pose: toccata._typing.PoseLike | None = None, touch_links: Sequence[str] = ()) -> Robot:
+        """
+        A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame. It may touch that link and those that are named. Positions stay as they are. Raises Error for links that there are not.
+        """
+
+    def __reduce__(self) -> tuple: ...
+
+    @property
+    def name(self) -> str:
+        """As its file has it."""
+
+    @property
+    def links(self) -> list[str]:
+        """Their names; a link's number is its place here."""
+
+    @property
+    def joints(self) -> list[RobotJoint]:
+        """In order."""
+
+    @property
+    def positions(self) -> list[RobotPosition]:
+        """
+        What a configuration is made of, in the order of the joints; those that mimic have none.
+        """
+
+    @property
+    def limits(self) -> toccata._typing.Floats:
+        """
+        The least and the greatest of each position, shape (P, 2); infinite: none.
+        """
+
+    def link_of(self, name: str) -> int:
+        """The number of a link. Raises Error with what may have been meant."""
+
+    def __repr__(self) -> str: ...
+
+    def rest(self) -> toccata._typing.Floats:
+        """All positions 0, or the middle of limits that exclude 0; shape (P,)."""
+
+    def sampled(self, count: int, seed: int = 1) -> toccata._typing.Floats:
+        """
+        Random configurations within the limits, shape (count, P); the same for the same seed.
+        """
+
+    def read_configurations(self, path: str) -> toccata._typing.Floats:
+        """
+        Of a file with a line of numbers for each, by commas or blanks, and names before them or the order of the positions: shape (N, P). Raises Error naming the file and the line.
+        """
+
+    def beyond_limits(self, configuration: numpy.typing.ArrayLike) -> int | None:
+        """
+        The first position that is beyond its limits, or None. Other questions do not look at limits.
+        """
+
+    def link_poses(self, configuration: numpy.typing.ArrayLike) -> toccata._typing.Floats:
+        """
+        Where the links are in the world at a configuration, shape (P,): matrices, shape (L, 4, 4).
+        """
+
+    def link_poses_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Floats:
+        """link_poses of many, shape (N, P): matrices, shape (N, L, 4, 4)."""
+
+    def posed(self, configuration: numpy.typing.ArrayLike) -> list[SceneInstance]:
+        """
+        The shapes of the links where a configuration puts them, with names: for show, check_all and SceneIndex.
+        """
+
+    def srdf_pairs(self, path: str) -> list[tuple[str, str, str]]:
+        """
+        The pairs of links that an SRDF file disables, for RobotScene(allowed=…): (a, b, "given"). Raises Error naming the file and the line.
+        """
+
+    def adjacent_pairs(self) -> list[tuple[str, str, str]]:
+        """
+        Links with shapes that are joined by a joint, or by joints and links without shapes.
+        """
+
+    def allowed_pairs(self, samples: int = 10000, seed: int = 1, *, threads: int = 0) -> list[tuple[str, str, str]]:
+        """
+        Pairs of links that need not be looked at, by samples, for RobotScene(allowed=…): (a, b, reason), where the reason is adjacent, always, at rest, or never, which is no proof.
+        """
+
+class RobotContact:
+    """
+    A link and what it meets: another link, or an obstacle. RobotScene.names tells them.
+    """
+
+    @property
+    def link(self) -> int:
+        """The number of the link."""
+
+    @property
+    def with_obstacle(self) -> bool:
+        """The other is an obstacle, and else a link."""
+
+    @property
+    def other(self) -> int:
+        """The number of the other, as a link the greater."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class RobotDistance:
+    """
+    The least of the distances of all pairs that are looked at: the exact one lies in [lower, upper], in the unit of the coordinates, both 0 where they meet. A is the link.
+    """
+
+    @property
+    def link(self) -> int:
+        """The number of the link."""
+
+    @property
+    def with_obstacle(self) -> bool:
+        """The other is an obstacle, and else a link."""
+
+    @property
+    def other(self) -> int:
+        """The number of the other, as a link the greater."""
+
+    @property
+    def lower(self) -> float:
+        """The exact distance is at least this."""
+
+    @property
+    def upper(self) -> float:
+        """The exact distance is at most this; 0 when the shapes meet."""
+
+    @property
+    def on_a(self) -> toccata._typing.Floats:
+        """The nearest point of A, in the world; shape (3,)."""
+
+    @property
+    def on_b(self) -> toccata._typing.Floats:
+        """The nearest point of B, in the world; shape (3,)."""
+
+    @property
+    def status(self) -> Status:
+        """How far the answer can be trusted."""
+
+    @property
+    def element_a(self) -> int:
+        """The element of A, of a mesh the triangle."""
+
+    @property
+    def element_b(self) -> int:
+        """The element of B."""
+
+    @property
+    def face_a(self) -> int:
+        """The face of A, as its file counts them from 0."""
+
+    @property
+    def face_b(self) -> int:
+        """The face of B."""
+
+    @property
+    def body(self) -> int:
+        """Which shape of the robot, of all."""
+
+    @property
+    def other_body(self) -> int:
+        """Which the other is, of a link; of an obstacle 0."""
+
+    @property
+    def gradient(self) -> toccata._typing.Floats:
+        """
+        How it changes with each position, per radian or per length, by the nearest points; shape (P,), all 0 where they meet. Where several pairs of points are nearest it is that of this pair.
+        """
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class RobotEdge:
+    """
+    What happens on the straight way from one configuration to another, in the time from 0 to 1. Where it is not free, RobotScene.names tells which two meet first.
+    """
+
+    @property
+    def is_free(self) -> bool:
+        """Proved for every moment."""
+
+    @property
+    def lower(self) -> float:
+        """Nothing is met before, which is proved."""
+
+    @property
+    def upper(self) -> float:
+        """The first contact is here at the latest; 1 if free."""
+
+    @property
+    def status(self) -> Status:
+        """
+        exact: at `upper` they meet; undecided: they come nearer than can be told.
+        """
+
+    @property
+    def link(self) -> int:
+        """The number of the link."""
+
+    @property
+    def with_obstacle(self) -> bool:
+        """The other is an obstacle, and else a link."""
+
+    @property
+    def other(self) -> int:
+        """The number of the other, as a link the greater."""
+
+    def __repr__(self) -> str: ...
+
+    def __eq__(self, other: object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    __hash__: None = None
+
+class RobotScene:
+    """
+    A robot among obstacles, made ready for questions. Immutable.
+
+    What is said of a configuration is what overlap and distance say of the shapes at the places of Robot.posed, pair by pair:
+    exactly, on meshes too. Obstacles are SceneInstances, shapes, or pairs (shape, pose). Pairs of names in `allowed` are not
+    looked at, nor, with allow_adjacent, links that a joint joins, nor what an attached object may touch. Answers do not depend
+    on threads. Raises Error for names that there are not, and naming the obstacle that cannot be posed so.
+    """
+
+    def __init__(self, robot: Robot, obstacles: toccata._typing.ObjectsLike = (), *, allowed: toccata._typing.AllowedPairs | None = None, allow_adjacent: bool = True) -> None: ...
+
+    @property
+    def robot(self) -> Robot: ...
+
+    @property
+    def obstacles(self) -> list[SceneInstance]:
+        """In their order: their numbers are their places here."""
+
+    def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]:
+        """
+        What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an obstacle.
+        """
+
+    def looks_at(self, link: int, other: int, with_obstacle: bool = False) -> bool:
+        """
+        Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle.
+        """
+
+    def __repr__(self) -> str: ...
+
+    def meets(self, configuration: numpy.typing.ArrayLike) -> bool:
+        """
+        Does any pair that is looked at have a point in common, at a configuration, shape (P,)? Exact.
+        """
+
+    def meets_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Booleans:
+        """
+        meets of many, shape (N, P), on all cores: an array of bools, shape (N,). Raises Error naming the configuration.
+        """
+
+    def contacts(self, configuration: numpy.typing.ArrayLike) -> list[RobotContact]:
+        """
+        Which links meet which others at a configuration, shape (P,); ascending. Exact.
+        """
+
+    def contacts_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
+        """
+        contacts of many, shape (N, P), on all cores: one structured array of all, in order, with the members of RobotContact and query, which says of which configuration a row is.
+        """
+
+    def distance(self, configuration: numpy.typing.ArrayLike, max_distance: float = float('inf')) -> RobotDistance | None:
+        """
+        The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient; None where there is none within the greatest distance. Raises Error for a greatest distance that is negative.
+        """
+
+    def distance_each(self, configurations: numpy.typing.ArrayLike, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
+        """
+        distance of many, shape (N, P), on all cores: a structured array with the members of RobotDistance, the gradient of the shape (P,), and found.
+        """
+
+    def edge(self, begin: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07) -> RobotEdge:
+        """
+        The straight way from one configuration to another, shapes (P,): free at every moment, or when which two first meet, as a part of the way, told within the precision. Raises Error for one below 2**-40 or above 1.
+        """
+
+    def edge_each(self, begins: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07, *, threads: int = 0) -> toccata._typing.Answers:
+        """
+        edge of many, shapes (N, P), on all cores: a structured array with the members of RobotEdge.
+        """
+
+    def free_each(self, begins: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07, *, threads: int = 0) -> toccata._typing.Booleans:
+        """
+        Only whether each is free, which is quicker: an array of bools, shape (N,).
+        """
+
+def point_cloud(points: numpy.typing.ArrayLike, radius: float, name: str = 'cloud') -> SceneInstance:
+    """
+    A point cloud as an obstacle: a ball of this radius around each point, shape (N, 3). Raises Error without a point, and for a radius that is not positive.
+    """
+
+def voxel_map(middles: numpy.typing.ArrayLike, edge: float, name: str = 'voxels') -> SceneInstance:
+    """
+    The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube around each middle, shape (N, 3). Raises Error like point_cloud.
+    """
+
+def generated_room(boxes: int = 100, meshes: bool = True, seed: int = 1) -> list[SceneInstance]:
+    """
+    What stands around Robot.generated(): boxes that are turned any way, and three meshes.
+    """
+
 class DistanceCache:
     """
     What is kept of one question of distance for the next about the same two meshes, which have moved little in between. It changes no bit of any answer. It belongs to the first two meshes asked about.
@@ -2240,6 +3391,6 @@ def write_view_page(page: str, path: str) -> None:
 
 from ._show import Page as Page, show as show
 
-__all__: list[str] = ['Body', 'BodyDistance', 'BodyFilter', 'BodyId', 'BodyRayHit', 'BodyShapeHit', 'BodyType', 'Box', 'BroadPhase', 'Capsule', 'CheckAnswer', 'Compound', 'Cone', 'Containment', 'ConvexHull', 'ConvexPart', 'ConvexParts', 'Cylinder', 'DepthEnd', 'Distance', 'DistanceCache', 'Ellipsoid', 'Error', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshHealth', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'RigidMotion', 'Rounded', 'SceneDistance', 'SceneIndex', 'SceneInstance', 'SceneRayHit', 'SceneShapeHit', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'World', 'WorldPairs', 'WorldStep', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'check_all', 'contact_regions', 'contact_regions_each', 'contacts', 'contacts_each', 'contacts_with_points', 'count_contacts_each', 'decompose', 'distance', 'distance_each', 'distance_within', 'edge_edge_impacts', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'load_mesh', 'locate', 'manifold', 'nearest_point', 'nearest_point_each', 'nearest_points', 'overlap', 'overlap_each', 'overlapping_pairs', 'penetration', 'penetration_each', 'relation', 'relation_each', 'self_contacts', 'self_contacts_each', 'self_overlap', 'signed_distance', 'signed_distance_each', 'sweep', 'sweep_each', 'swept_volume', 'vertex_face_impacts', 'view_page', 'within_distance', 'within_distance_each', 'write_view_page', 'Page', 'show', '__version__']
+__all__: list[str] = ['Body', 'BodyDistance', 'BodyFilter', 'BodyId', 'BodyMoverContact', 'BodyMoverState', 'BodyMoverStep', 'BodyRayHit', 'BodyShapeHit', 'BodyType', 'Box', 'BroadPhase', 'Capsule', 'CheckAnswer', 'ClashKind', 'ClashTolerance', 'Compound', 'Cone', 'Contact', 'Containment', 'ConvexHull', 'ConvexPart', 'ConvexParts', 'Cylinder', 'DeformingMesh', 'DepthBracket', 'DepthEnd', 'Distance', 'DistanceCache', 'Ellipsoid', 'Error', 'FeatureKind', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshFault', 'MeshFaultKind', 'MeshHealth', 'MeshImpact', 'MeshRepair', 'ModelManifold', 'MoverOptions', 'OverlapVolume', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'RigidMotion', 'Robot', 'RobotContact', 'RobotDistance', 'RobotEdge', 'RobotJoint', 'RobotJointKind', 'RobotPosition', 'RobotScene', 'Rounded', 'SceneDistance', 'SceneIndex', 'SceneInstance', 'SceneMoverContact', 'SceneMoverState', 'SceneMoverStep', 'SceneRayHit', 'SceneShapeHit', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'World', 'WorldPairs', 'WorldStep', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'check_all', 'close_mesh', 'closing_gap', 'contact_regions', 'contact_regions_each', 'contacts', 'contacts_each', 'contacts_with_points', 'count_contacts_each', 'decompose', 'depth_bracket', 'depth_bracket_each', 'distance', 'distance_each', 'distance_within', 'distance_within_each', 'edge_edge_impacts', 'faces_in_ball', 'faces_in_box', 'faces_in_region_each', 'first_contact', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'generated_room', 'hull_of_half_spaces', 'load_mesh', 'load_scene', 'locate', 'manifold', 'manifold_each', 'manifolds', 'mesh_faults', 'mesh_parts', 'nearest_point', 'nearest_point_each', 'nearest_points', 'nearest_points_each', 'overlap', 'overlap_each', 'overlap_volume', 'overlapping_pairs', 'penetration', 'penetration_each', 'point_cloud', 'relation', 'relation_each', 'scene_signed_distance_each', 'self_contacts', 'self_contacts_each', 'self_overlap', 'signed_distance', 'signed_distance_each', 'sweep', 'sweep_each', 'swept_volume', 'velocity_along', 'vertex_face_impacts', 'view_frustum', 'view_page', 'voxel_map', 'within_distance', 'within_distance_each', 'write_view_page', 'Page', 'show', '__version__']
 
 __version__: str

@@ -39,3 +39,5 @@ ShapesLike: TypeAlias = Union["Shape", Sequence["Shape"]]
 ObjectsLike: TypeAlias = Iterable[Union["SceneInstance", "Shape", tuple["Shape", Union[PoseLike, None]]]]
 MotionLike: TypeAlias = Union["RigidMotion", PoseLike]
 BodiesLike: TypeAlias = Union["BodyId", Sequence["BodyId"], Answers]
+# Pairs of names, as an answer of Robot.allowed_pairs has them, with a reason, or without.
+AllowedPairs: TypeAlias = Iterable[Union[tuple[str, str], tuple[str, str, str]]]

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
+
+#include "toccata/reports/scene_question.hpp"
 
 namespace toccata {
 namespace {
@@ -112,6 +116,10 @@ class RuleMembers {
     for (std::size_t rule = 0; rule < rules.size(); ++rule) add(rules[rule], rule, names);
   }
 
+  /// In which rules an object is. Objects of the same ones are in the same pairs.
+  using Membership = std::tuple<std::vector<std::size_t>, std::vector<std::size_t>, bool>;
+  [[nodiscard]] Membership of(std::size_t object) const { return {in_a_[object], in_b_[object], with_all_[object]}; }
+
   /// Whether it is a pair of some rule.
   [[nodiscard]] bool contain(const IndexPair& pair) const {
     const auto [i, j] = pair;
@@ -167,4 +175,25 @@ PairTolerances tolerances_of(const NameRules& rules, std::span<const SceneInstan
 }
 
 }  // namespace io
+
+bool leave_a_pair(const NameRules& rules, std::span<const SceneInstance> models) {
+  const io::Names names(models);
+  const io::RuleMembers between(rules.between, names), ignored(rules.ignored, names);
+  // Of all objects that no rule and no group tells apart two are enough.
+  using Kind = std::tuple<std::string_view, io::RuleMembers::Membership, io::RuleMembers::Membership>;
+  std::map<Kind, int> seen;
+  std::vector<Index> some;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (seen[{models[i].group, between.of(i), ignored.of(i)}]++ < 2) some.push_back(static_cast<Index>(i));
+  const auto is_left = [&](const IndexPair& pair) {
+    const std::string& group = models[pair.first].group;
+    if (!group.empty() && group == models[pair.second].group) return false;
+    return (rules.between.empty() || between.contain(pair)) && !ignored.contain(pair);
+  };
+  for (auto a = some.begin(); a != some.end(); ++a)
+    for (auto b = std::next(a); b != some.end(); ++b)
+      if (is_left({*a, *b})) return true;
+  return false;
+}
+
 }  // namespace toccata

@@ -68,7 +68,7 @@ Json json_of(const Penetration& penetration, DepthEnd end) {
 
 void add_depth_options(Json& json, const DepthOptions& depth) {
   json["precision"] = depth.precision;
-  if (depth.time_limit < std::numeric_limits<double>::infinity()) json["time_limit"] = depth.time_limit;
+  if (depth.time_limit < std::numeric_limits<double>::infinity()) json["time_per_depth"] = depth.time_limit;
 }
 
 DepthOptions depth_options_of(const JsonValue& question) {
@@ -86,7 +86,7 @@ DepthOptions depth_options_of(const JsonValue& question, bool is_asked) {
     if (!(number > 0)) question.at(key).fail("this is not above 0", advice);
   };
   take("precision", depth.precision, "0.1 asks for a bracket that is 10 % wide");
-  take("time_limit", depth.time_limit, "give seconds, or leave it out for no limit");
+  take("time_per_depth", depth.time_limit, "give seconds, or leave it out for no limit");
   return depth;
 }
 

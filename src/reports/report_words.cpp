@@ -113,8 +113,9 @@ std::string remark_on(const Relation& relation) {
 
 Since since_baseline(const ReportedPair& pair) {
   if (!pair.was) return Since::added;
-  const int now = gravity_of(pair.relation.kind, !is_clash(pair)),
-            then = gravity_of(pair.was->kind, pair.was->within_tolerance);
+  // Without a tolerance of now the depth of then tells nothing: an overlap was one.
+  const bool was_within = pair.was->within_tolerance && pair.tolerance != ToleranceVerdict::none;
+  const int now = gravity_of(pair.relation.kind, !is_clash(pair)), then = gravity_of(pair.was->kind, was_within);
   return now > then ? Since::graver : Since::known;
 }
 

@@ -31,6 +31,7 @@ std::vector<AllowedPair> read_srdf(const std::string& path, const Robot&) { thro
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -79,8 +80,7 @@ class RobotXml {
     const io::FileBytes bytes = io::read_file(path);
     text_.assign(bytes.span().begin(), bytes.span().end());
     document_.Parse(text_.c_str());
-    if (document_.Error())
-      throw Error(fmt::format("{}:{}: this is no XML: {}", path, document_.ErrorRow(), document_.ErrorDesc()));
+    if (document_.Error()) throw Error(path + fault_of_xml());
     const TiXmlElement* root = document_.RootElement();
     if (root == nullptr || root->ValueStr() != "robot")
       throw Error(fmt::format("{}: its root element is {}, and that of a robot is <robot>", path,
@@ -124,6 +124,15 @@ class RobotXml {
   }
 
  private:
+  /// What follows the path: the line, and what is wrong. TinyXML tells line 0 of what goes wrong where the text ends.
+  [[nodiscard]] std::string fault_of_xml() const {
+    if (document_.ErrorId() == TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY) return ": this is no XML: no element is in it";
+    if (document_.ErrorRow() > 0)
+      return fmt::format(":{}: this is no XML: {}", document_.ErrorRow(), document_.ErrorDesc());
+    const auto lines = 1 + std::count(text_.begin(), text_.end(), '\n') - (text_.ends_with('\n') ? 1 : 0);
+    return fmt::format(":{}: the XML ends here, and an element is still open; export it again", lines);
+  }
+
   std::string path_, text_;
   TiXmlDocument document_;
 };
@@ -146,6 +155,33 @@ std::string linked(const RobotXml& xml, const TiXmlElement& joint, const char* e
   if (element == nullptr)
     throw xml.error_at(joint, fmt::format("joint '{}' has no <{} link=\"…\"/>", xml.attribute(joint, "name"), end));
   return xml.attribute(*element, "link");
+}
+
+/// The first of such elements of a robot; none where there is none.
+const TiXmlElement* first_of(const RobotXml& xml, std::initializer_list<const char*> names) {
+  for (const TiXmlElement* e = xml.robot().FirstChildElement(); e != nullptr; e = e->NextSiblingElement())
+    for (const char* name : names)
+      if (e->ValueStr() == name) return e;
+  return nullptr;
+}
+
+/// Both formats have <robot> as their root.
+void require_urdf(const RobotXml& xml) {
+  if (first_of(xml, {"link", "joint"}) != nullptr) return;
+  const TiXmlElement* found = first_of(xml, {"disable_collisions", "disable_default_collisions", "enable_collisions",
+                                             "group", "group_state", "virtual_joint", "end_effector", "passive_joint"});
+  if (found != nullptr)
+    throw xml.error_at(*found,
+                       fmt::format("<{}> is of an SRDF file, which tells what is not looked at; the robot, with "
+                                   "its links and joints, is in a URDF file: name that one",
+                                   found->ValueStr()));
+}
+
+void require_srdf(const RobotXml& xml) {
+  if (const TiXmlElement* found = first_of(xml, {"link", "joint"}))
+    throw xml.error_at(*found, fmt::format("<{}> is of a URDF file, a robot; pairs of links that are not looked at are "
+                                           "in an SRDF file: name that one",
+                                           found->ValueStr()));
 }
 
 /// What hangs on what, without shapes and numbers.
@@ -364,6 +400,7 @@ bool reads_urdf() { return true; }
 
 RobotFile read_urdf(const std::string& path, const UrdfOptions& options) {
   const RobotXml xml(path);
+  require_urdf(xml);
   RobotFile file;
   file.description = skeleton_of(xml);
   require_tree(xml, file.description);
@@ -384,6 +421,7 @@ RobotFile read_urdf(const std::string& path, const UrdfOptions& options) {
 
 std::vector<AllowedPair> read_srdf(const std::string& path, const Robot& robot) {
   const RobotXml xml(path);
+  require_srdf(xml);
   return DisabledPairs(xml, robot).found();
 }
 

@@ -213,6 +213,39 @@ TEST_F(BadQuestion, MistypedSubcommandIsToldTheRightOne) {
 
 TEST_F(BadQuestion, UnknownOption) { expect_trouble(run_command({"check", "a.obj", "b.obj", "--fast"}), "--fast"); }
 
+TEST_F(BadQuestion, NumbersThatAnOptionDoesNotTakeAreToldWithWhatItTakes) {
+  struct Wrong {
+    std::vector<std::string> words;
+    const char* told;
+  };
+  for (const auto& [words, told] : std::vector<Wrong>{
+           {{"check", "a.obj", "b.obj", "--threads", "5000"},
+            "--threads: give a whole number from 0 to 1024, not '5000'"},
+           {{"check", "a.obj", "b.obj", "--threads", "two"},
+            "--threads: give a whole number from 0 to 1024, not 'two'"},
+           {{"check", "a.obj", "b.obj", "--threads", "-1"}, "--threads: give a whole number from 0 to 1024, not '-1'"},
+           {{"check", "a.obj", "b.obj", "--threads", "010"},
+            "--threads: give a whole number from 0 to 1024, not '010'"},
+           {{"check", "a.obj", "b.obj", "--scale", "abc"}, "--scale: give a finite number above 0, not 'abc'"},
+           {{"check", "a.obj", "b.obj", "--scale", "0"}, "--scale: give a finite number above 0, not '0'"},
+           {{"check", "a.obj", "b.obj", "--stop-after", "nan"},
+            "--stop-after: give a finite number above 0, not 'nan'"},
+           {{"check", "a.obj", "b.obj", "--stop-after", "inf"},
+            "--stop-after: give a finite number above 0, not 'inf'"},
+           {{"check", "a.obj", "b.obj", "--stop-after", "1e999"}, "--stop-after: give a finite number above 0"},
+           {{"nearest", "a.obj", "--k", "0"}, "--k: give a whole number from 1 to 1000000, not '0'"},
+           {{"decompose", "a.obj", "--parts", "x"}, "--parts: give a whole number from 1 to 4096, not 'x'"},
+           {{"demo", "mould", "--factor", "nan"}, "--factor: give a number from 0.001 to 1000, not 'nan'"},
+           {{"sweep", "a.obj", "--stop-before", "-1"}, "--stop-before: give a finite number of 0 or more, not '-1'"},
+           {{"subdivide", "a.obj", "--crease-angle", "200"}, "--crease-angle: give a number from 0 to 180, not '200'"},
+           {{"walk", "a.obj", "--max-slope", "steep"}, "--max-slope: give a number from 0 to 90, not 'steep'"},
+           {{"robot", "gen:arm", "--find-allowed", "0"}, "--find-allowed: give a whole number from 1 to"},
+           {{"crowd", "--count", "0"}, "--count: give a whole number from 1 to 100000000, not '0'"},
+           {{"cost", "a.obj", "b.obj", "--leaf-size", "65"},
+            "--leaf-size: give a whole number from 1 to 64, not '65'"}})
+    expect_trouble(run_command(words), told);
+}
+
 TEST_F(BadQuestion, FileNamesCannotSmuggleControlCharacters) {
   const auto result = run_command({"check", "evil\x1b[31m.obj", "good.off"}, folder.path());
   expect_trouble(result, "evil");

@@ -109,6 +109,29 @@ TEST_F(CheckClashesOfCommand, WhatWasWithinTheToleranceAndIsDeeperNowIsGraver) {
   EXPECT_EQ(check({"--tolerance", "0.1", "--baseline", "old.json", "--fail-on", "new"}).exit_code, 0);
 }
 
+TEST_F(CheckClashesOfCommand, WhatWasWithinTheToleranceIsKnownWhereNoneIsAsked) {
+  folder.write("old.json", check({"--tolerance", "0.1", "--json"}).out);
+  EXPECT_EQ(pair_of(report({"--baseline", "old.json"}), "bolt 1")["baseline"], "known");
+  EXPECT_EQ(check({"--baseline", "old.json", "--fail-on", "new"}).exit_code, 0);
+}
+
+TEST_F(CheckClashesOfCommand, OptionsOfDepthsGoWithATolerance) {
+  const Json found = report({"--tolerance", "0.1", "--precision", "0.5", "--time-per-depth", "9"});
+  EXPECT_EQ(found["asked"]["query"]["precision"], 0.5);
+  EXPECT_EQ(found["asked"]["query"]["time_per_depth"], 9);
+  EXPECT_EQ(report({"--precision", "0.5"}, "tolerance a = 0.1mm\n")["asked"]["query"]["precision"], 0.5);
+  for (const char* option : {"--precision", "--time-per-depth"}) {
+    for (const auto& run :
+         {check({option, "0.5"}), check({option, "0.5", "--volume"}), check({option, "0.5"}, "ignore d\n")}) {
+      EXPECT_EQ(run.exit_code, 2);
+      EXPECT_NE(run.err.find(std::string(option) + " is about depths, which are not asked for: add --penetration or "
+                                                   "--tolerance"),
+                std::string::npos)
+          << run.err;
+    }
+  }
+}
+
 TEST_F(CheckClashesOfCommand, ClashesAreGroupedByParts) {
   const Json found = report({"--group", "part"});
   EXPECT_EQ(found["group_by"], "part");

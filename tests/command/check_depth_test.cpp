@@ -30,8 +30,8 @@ TEST(CheckDepth, PrecisionAndTimeLimitAreAskedAndTheEndIsTold) {
   const DepthJson wide = reported_depth({"--precision", "50"});
   EXPECT_EQ(wide["asked"]["query"]["precision"], 50);
   EXPECT_FALSE(wide["pairs"][0]["penetration"].contains("ended"));
-  const DepthJson soon = reported_depth({"--time-limit", "1e-9"});
-  EXPECT_EQ(soon["asked"]["query"]["time_limit"], 1e-9);
+  const DepthJson soon = reported_depth({"--time-per-depth", "1e-9"});
+  EXPECT_EQ(soon["asked"]["query"]["time_per_depth"], 1e-9);
   const DepthJson depth = soon["pairs"][0]["penetration"];
   EXPECT_EQ(depth["ended"], "out of time");
   // The bracket holds all the same: that of a longer search has a depth in common with it.
@@ -48,9 +48,9 @@ TEST(CheckDepth, WhatIsNoNumberAboveZeroIsToldAndLeftOut) {
         precise.err.find(std::string("--precision ") + word + " is not a finite number above 0: answered with 0.1"),
         std::string::npos)
         << precise.err;
-    const auto timed = test::run_command(depth_of_knots({"--time-limit", word}));
+    const auto timed = test::run_command(depth_of_knots({"--time-per-depth", word}));
     EXPECT_EQ(timed.exit_code, 1);
-    EXPECT_NE(timed.err.find(std::string("--time-limit ") + word + " is not a finite number above 0"),
+    EXPECT_NE(timed.err.find(std::string("--time-per-depth ") + word + " is not a finite number above 0"),
               std::string::npos)
         << timed.err;
   }
@@ -66,7 +66,7 @@ TEST(CheckDepth, AtManyPosesTheEndIsToldToo) {
                                    "--penetration",
                                    "--poses",
                                    "poses.txt",
-                                   "--time-limit",
+                                   "--time-per-depth",
                                    "1e-9"};
     words.insert(words.end(), more.begin(), more.end());
     return test::run_command(words, folder.path()).out;

@@ -96,6 +96,10 @@ TEST_F(CheckDirty, ByWindingWhatIsInsideAnOpenMeshOverlapsItUndecided) {
       result.out.find("open  contains  screw  (the mesh around it is open: by its generalised winding number, 0."),
       std::string::npos)
       << result.out;
+  EXPECT_EQ(result.err.find("taken as surface"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("is open and what lies inside is told by the winding number, undecided: open ("),
+            std::string::npos)
+      << result.err;
   const Json pair = report({"check", "screw.obj", "open.obj", "--solid", "by-winding"})["pairs"][0];
   EXPECT_EQ(pair["relation"], "overlapping");
   EXPECT_EQ(pair["containment"], "a_in_b");

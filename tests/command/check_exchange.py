@@ -114,6 +114,52 @@ def check_bcf(folder):
     assert math.hypot(*(a - along * b for a, b in zip(way, direction))) < 1e-9 and along > 0, (place, direction)
 
 
+def scene_of(*objects):
+    parts = [{"name": name, "shape": {"type": "box", "half_extents": half}, "pose": {"translation": at}} for name, half, at in objects]
+    return json.dumps({"format": "toccata-scene", "version": 1, "unit": "mm", "objects": parts})
+
+
+def check_tolerance(folder):
+    """What lies within its tolerance is told, and is nothing to act on."""
+    row = scene_of(("a", [1, 1, 1], [0, 0, 0]), ("shallow", [1, 1, 1], [1.9375, 0, 0]), ("deep", [1, 1, 1], [-1.5, 0, 0]))
+    (folder / "row.json").write_text(row)
+    told = run(folder, "row.json", "--tolerance", "0.1", "--sarif", "row.sarif", "--bcf", "row.bcf", "--junit", "row.xml", code=1)
+    assert "row.bcf: 2 findings, 1 of them within the tolerance." in told.stdout, told.stdout
+    shallow, deep = json.loads((folder / "row.sarif").read_text())["runs"][0]["results"]
+    assert (shallow["level"], shallow["properties"]["tolerance"]) == ("note", "within"), shallow
+    assert (deep["level"], deep["properties"]["tolerance"]) == ("error", "beyond"), deep
+    assert "within the tolerance: no clash" in shallow["message"]["text"] and "beyond the tolerance" in deep["message"]["text"]
+    with zipfile.ZipFile(folder / "row.bcf") as bcf:
+        topics = [ElementTree.fromstring(bcf.read(name)).find("Topic") for name in bcf.namelist() if name.endswith("markup.bcf")]
+    assert {topic.find("Title").text.split(",")[0]: topic.get("TopicStatus") for topic in topics} == {"a overlaps shallow": "Closed", "a overlaps deep": "Open"}
+    cases = ElementTree.parse(folder / "row.xml").getroot().findall("testsuite/testcase")
+    assert [case.find("failure") is None for case in cases] == [True, False]
+    assert "within the tolerance" in cases[0].find("system-out").text
+
+
+def check_places(folder):
+    """Where a finding is, is told as what it is: a box only where it is one."""
+    def places(scene, *options):
+        (folder / "places.json").write_text(scene)
+        run(folder, "places.json", "--junit", "places.xml", "--bcf", "places.bcf", *options, code=1)
+        cases = ElementTree.parse(folder / "places.xml").getroot().findall("testsuite/testcase")
+        return [(case.find("failure").text or "").split("\n")[1] for case in cases]
+
+    a = ("a", [1, 1, 1], [0, 0, 0])
+    meshes = SCENE.replace('"cm"', '"mm"')
+    assert places(meshes, "--clearance", "0.2") == [
+        "the surfaces meet within the box from (0.5, -1, -1) to (1, 1, 1)",
+        "the surfaces meet within the rectangle from (-0.9, 1, -1) to (-0.1, 1, 1)",
+        "the nearest points are (-0.9, -1, -1) and (-0.9, -1.125, -1)"], places(meshes, "--clearance", "0.2")
+    assert places(meshes, "--penetration")[1].startswith("the surfaces meet within the rectangle")
+    edge = ("b", [1, 1, 1], [2, 2, 0])
+    assert places(scene_of(a, edge), "--penetration") == ["they are in contact on the segment from (1, 1, -1) to (1, 1, 1)"]
+    corner = ("b", [1, 1, 1], [2, 2, 2])
+    assert places(scene_of(a, corner), "--penetration") == ["they are in contact at (1, 1, 1)"]
+    assert places(scene_of(a, ("b", [0.5, 0.5, 0.5], [0, 0, 0]))) == ["the one inside lies within the box from (-0.5, -0.5, -0.5) to (0.5, 0.5, 0.5)"]
+    assert places(scene_of(a, ("b", [1, 1, 1], [1.5, 0.25, 0])), "--tolerance", "0.1") == ["the deepest points are (1, 0.125, 0) and (0.5, 0.125, 0)"]
+
+
 def check_refusals(folder):
     """What is not one of Toccata's is not written over, and nothing is written where the check fails."""
     (folder / "mine.xml").write_text("<mine/>")
@@ -155,7 +201,7 @@ def main():
         before = [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")]
         run(folder, *words, "--threads", "1", code=1)
         assert before == [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")], "not the same twice"
-        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_refusals):
+        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_tolerance, check_places, check_refusals):
             check(folder)
 
 

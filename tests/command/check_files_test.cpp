@@ -94,6 +94,34 @@ TEST_F(CheckFiles, StandardInputHasAFormat) {
   EXPECT_NE(trouble({"two.obj", "--format", "obj"}).find("no file is -"), std::string::npos);
 }
 
+TEST_F(CheckFiles, HelpAndErrorsNameEveryFormat) {
+  const std::string help = run({"check", "--help"}).out, error = trouble({"-", "two.obj"});
+  for (const char* format : {"OBJ", "STL", "PLY", "OFF", "glTF", "GLB", "3MF", "STEP", "IFC", "JSON"})
+    EXPECT_NE(help.substr(0, help.find("--names")).find(format), std::string::npos) << format;
+  for (const char* format : {"obj", "stl", "ply", "off", "gltf", "glb", "3mf", "step", "ifc", "json"})
+    EXPECT_NE(error.find(format), std::string::npos) << format;
+}
+
+TEST_F(CheckFiles, AUnitIsOfTheFilesThatStateNone) {
+  folder.write("inches.json", R"({"format": "toccata-scene", "version": 1, "unit": "in", "objects": [
+      {"name": "part", "generate": "box", "parameters": {"half-x": 1, "half-y": 1, "half-z": 1}}]})");
+  const auto result = run({"check", "two.obj", "inches.json", "--unit", "mm", "--clearance", "all", "--json"});
+  const Json report = Json::parse(result.out);
+  EXPECT_EQ(report["unit"], "m");
+  EXPECT_EQ(report["objects"][1]["pose"][0], 0.0254);
+  EXPECT_EQ(report["objects"][0]["pose"][0], 0.001);
+  ASSERT_EQ(report["warnings"].size(), 1U) << report["warnings"];
+  EXPECT_NE(report["warnings"][0].get<std::string>().find(
+                "inches.json: its unit is in; for the sake of --unit its numbers are made metres"),
+            std::string::npos);
+  EXPECT_NE(trouble({"inches.json", "inches.json", "--unit", "mm"}).find("states its unit itself: leave out --unit"),
+            std::string::npos);
+  folder.write("none.json", R"({"format": "toccata-scene", "version": 1, "unit": "unit", "objects": [
+      {"name": "part", "generate": "box"}]})");
+  EXPECT_NE(trouble({"two.obj", "none.json", "--unit", "mm"}).find("none.json: its unit is \"unit\""),
+            std::string::npos);
+}
+
 TEST_F(CheckFiles, SplitMakesPartsObjectsAndAReportTellsSo) {
   EXPECT_NE(trouble({"two.obj"}).find("one object"), std::string::npos);
   EXPECT_EQ(names_in({"two.obj", "--split"}), (Words{"left", "right"}));

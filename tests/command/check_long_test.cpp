@@ -68,7 +68,7 @@ TEST_F(CheckLong, AStreamHasAHeadALineForEachPairAndAnEnd) {
 }
 
 TEST_F(CheckLong, AtItsLimitACheckTellsWhatIsLeftAndNeverLooksComplete) {
-  const Words words{"check", "heap.json", "--penetration", "--limit-time", "0.001"};
+  const Words words{"check", "heap.json", "--penetration", "--stop-after", "0.001"};
   const auto with = [&](Words more) {
     more.insert(more.begin(), words.begin(), words.end());
     return run(more);
@@ -94,14 +94,14 @@ TEST_F(CheckLong, AtItsLimitACheckTellsWhatIsLeftAndNeverLooksComplete) {
 
 TEST_F(CheckLong, AStoppedCheckDoesNotTakeWhatItDidNotLookAtForSolved) {
   folder.write("old.json", run({"check", "two.json", "--json"}).out);
-  const auto result = run({"check", "two.json", "--baseline", "old.json", "--limit-time", "1e-9", "--json"});
+  const auto result = run({"check", "two.json", "--baseline", "old.json", "--stop-after", "1e-9", "--json"});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_TRUE(Json::parse(result.out)["baseline"]["gone"].empty());
 }
 
 TEST_F(CheckLong, AWholeCheckWithinItsLimitIsAsWithoutOne) {
   const std::string plain = run({"check", "two.json", "--json"}).out;
-  EXPECT_EQ(run({"check", "two.json", "--json", "--limit-time", "3600"}).out, plain);
+  EXPECT_EQ(run({"check", "two.json", "--json", "--stop-after", "3600"}).out, plain);
 }
 
 /// Starts the command there, with its answer going to the file `out`.

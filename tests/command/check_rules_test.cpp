@@ -70,7 +70,6 @@ TEST_F(CheckRules, IgnoreLeavesOutPairsAndObjects) {
   EXPECT_EQ(pairs_told({"--ignore", "pipe 1"}), 10U);
   EXPECT_EQ(pairs_told({"--ignore", "hall/*, hall/*"}), 14U);
   EXPECT_EQ(pairs_told({"--ignore", "hall/*", "--ignore", "beam ?"}), 3U);
-  EXPECT_EQ(pairs_told({"--ignore", "*"}), 0U);
   EXPECT_EQ(pairs_told({}, "ignore *pipe*, beam*\r\n\n  # a comment\nignore bolt #2\n"), 8U);
 }
 
@@ -103,9 +102,8 @@ TEST_F(CheckRules, TellWhatTheyLeaveOut) {
   EXPECT_NE(table.out.find("6 pairs in contact, decided exactly.\n9 pairs left out by rules, not looked at.\n"),
             std::string::npos)
       << table.out;
-  const auto none = check({"--ignore", "*"});
-  EXPECT_EQ(none.exit_code, 0);
-  EXPECT_NE(none.out.find("Nothing collides.\n15 pairs left out by rules"), std::string::npos) << none.out;
+  const auto none = check({"--ignore", "pipe*", "--between", "pipe*,beam*", "--between", "beam*,hall/*"});
+  EXPECT_NE(none.out.find("13 pairs left out by rules"), std::string::npos) << none.out;
   EXPECT_FALSE(Json::parse(check({"--json"}).out).contains("left_out"));
 }
 
@@ -134,6 +132,11 @@ TEST_F(CheckRules, OfNoPairLeaveNothingToBeChecked) {
   EXPECT_NE(error_of({"--between", "pips,beam*"}).find("nothing would be checked"), std::string::npos);
   EXPECT_NE(error_of({"--between", "beam 1,beam 1"}).find("nothing would be checked"), std::string::npos);
   EXPECT_EQ(check({"--between", "pips,beam*", "--between", "beam*,bolt*"}).exit_code, 1);
+  for (const char* all : {"*", "*,*", "?*,*"})
+    EXPECT_NE(error_of({"--ignore", all}).find("nothing would be checked: the rules leave no pair of two objects"),
+              std::string::npos);
+  EXPECT_NE(error_of({"--between", "bolt*,beam*", "--ignore", "beam*"}).find("the rules leave no pair"),
+            std::string::npos);
 }
 
 TEST_F(CheckRules, ThatAreNoneAreToldByTheirLine) {
@@ -176,6 +179,15 @@ TEST_F(CheckRules, RefuseAClearanceOfWhatTheyLeaveOut) {
   EXPECT_NE(error.find("\"pipe 1\" and \"beam 1\", which the rules leave out"), std::string::npos) << error;
   words.back() = "bolt*";
   EXPECT_EQ(check(words).exit_code, 1);
+}
+
+TEST_F(CheckRules, OfACaseThatLeaveNoPairAreItsError) {
+  Json question = Json::parse(scene_of({"pipe", "beam"}));
+  question["query"] = {{"question", "check"}, {"ignore", Json::parse(R"([{"a": ["*"], "b": ["*"]}])")}};
+  folder.write("nothing.json", question.dump());
+  const auto run = run_command({"replay", "nothing.json"}, folder.path());
+  const std::string answer = run.out.substr(0, run.out.find('\n'));
+  EXPECT_EQ(Json::parse(answer)["error"], "nothing would be checked: the rules leave no pair of two objects");
 }
 
 TEST_F(CheckRules, AreAskedAgainAndDrawn) {

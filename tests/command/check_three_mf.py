@@ -71,6 +71,15 @@ def check_reading(folder):
     # The unit of the file is that of lengths, and the scale multiplies all.
     assert json.loads(run(folder, "check", "arm.3mf", "--scale", "2", "--json").stdout)["objects"][2]["pose"][9:] == [200, 0, 0]
     assert "states its unit itself" in run(folder, "check", "arm.3mf", "--unit", "m").stderr
+    # --unit is of what stands beside it and states none; the world is in metres then.
+    (folder / "plate.obj").write_text("v 0 0 0\nv 100 0 0\nv 0 100 0\nf 1 2 3\n")
+    beside = json.loads(run(folder, "check", "plate.obj", "arm.3mf", "--unit", "cm", "--json").stdout)
+    assert beside["unit"] == "m" and [one["pose"][0] for one in beside["objects"][:2]] == [0.01, 0.001], beside["objects"]
+    # Standard input, too.
+    piped = subprocess.run([COMMAND, "check", "-", "--format", "3mf"], cwd=folder, input=(folder / "arm.3mf").read_bytes(), capture_output=True)
+    assert piped.returncode == 1 and piped.stdout.decode() == run(folder, "check", "arm.3mf").stdout, piped
+    broken = subprocess.run([COMMAND, "check", "-", "--format", "3mf"], cwd=folder, input=b"solid", capture_output=True)
+    assert broken.returncode == 2 and broken.stderr.startswith(b"toccata: error: standard input: "), broken
 
 
 def check_doubles(folder):

@@ -156,7 +156,7 @@ TEST_F(Cost, TroubleIsToldInWords) {
   expect_trouble(cost({"--builders", "sah"}), "there is no builder 'sah'");
   expect_trouble(cost({"--task", "touch"}), "(known: overlap, contacts, distance)");
   expect_trouble(cost({"--arities", "1"}), "2 to 8 children a node, not 1");
-  expect_trouble(cost({"--arities", ""}), "a number must be given");
+  expect_trouble(cost({"--arities", ""}), "give a whole number from 0 to 1024, not ''");
   expect_trouble(cost({"--rows", "-1"}), "--rows");
   expect_trouble(cost({"--rows", "99999999999999999999"}), "--rows");
   expect_trouble(cost({"--rows", "18446744073709551615"}), "--rows");

@@ -218,7 +218,7 @@ TEST(CrowdCommand, TheProgressBarIsForTerminalsAlone) {
 TEST(CrowdCommand, HelpTellsExitCodesAndThreads) {
   const auto run = run_command({"crowd", "--help"});
   EXPECT_NE(run.out.find("Exit code: 0"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("[0 - 1024]=1"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("0 to 1024=1"), std::string::npos) << run.out;
 }
 
 TEST(CrowdCommand, RefusesWhatMakesNoCrowd) {

@@ -111,8 +111,10 @@ TEST_F(LocateCommand, WhatIsNoSolidIsRefusedWithWhereAndHowMuch) {
 TEST_F(LocateCommand, ATreeThatGrowsTooMuchIsGivenUpAndTheMeshAnswersStill) {
   expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "1.2"}, "more than 1.2 times as many");
   expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "1.2"}, "--by mesh answers about this mesh");
-  expect_trouble({"gen:torus-knot", "--by", "msp", "--max-growth", "nan"}, "--max-growth nan: ");
-  expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "0"}, "it has to be 1 or more");
+  expect_trouble({"gen:torus-knot", "--by", "msp", "--max-growth", "nan"},
+                 "--max-growth: give a finite number of 1 or more, not 'nan'");
+  expect_trouble({"gen:torus-knot", "--by", "bsp", "--max-growth", "0"},
+                 "--max-growth: give a finite number of 1 or more, not '0'");
   expect_trouble({"gen:torus-knot", "--point", "9", "0", "0", "--max-growth", "2"}, "say --by bsp or --by msp");
   EXPECT_EQ(report({"gen:torus-knot", "--point", "9", "0", "0"})["points"][0]["side"], "outside");
 }

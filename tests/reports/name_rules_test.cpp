@@ -94,6 +94,29 @@ TEST(NameRules, LeaveThePairsOfTheDefinition) {
   }
 }
 
+TEST(NameRules, LeaveAPairWhereTheDefinitionDoes) {
+  Random random(9);
+  std::size_t leaving = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    std::vector<SceneInstance> models;
+    for (std::size_t n = random.below(7); n-- > 0;)
+      models.push_back({Sphere{1}, {}, {}, word(random, "ab", 2), word(random, "g", 1)});
+    const NameRules rules{some_rules(random), some_rules(random)};
+    bool expected = false;
+    for (std::size_t a = 0; a < models.size(); ++a)
+      for (std::size_t b = a + 1; b < models.size(); ++b) {
+        const std::string &one = models[a].name, &other = models[b].name;
+        const bool share_group = !models[a].group.empty() && models[a].group == models[b].group;
+        expected = expected || (!share_group && (rules.between.empty() || is_of(rules.between, one, other)) &&
+                                !is_of(rules.ignored, one, other));
+      }
+    ASSERT_EQ(leave_a_pair(rules, models), expected) << i;
+    leaving += expected ? 1 : 0;
+  }
+  EXPECT_GT(leaving, 300U);
+  EXPECT_LT(leaving, 1'700U);
+}
+
 TEST(NameRules, WhatTheyLeaveOutIsCountedOnceAndNotLookedAt) {
   std::vector<SceneInstance> models;
   for (int i = 0; i < 40; ++i)

@@ -199,6 +199,26 @@ TEST_F(UrdfFile, SrdfTellsWhichPairsAreDisabled) {
                     "robot.srdf:2: <disable_collisions> has no attribute link2"));
 }
 
+TEST_F(UrdfFile, OneOfTheOtherKindIsToldByItsElements) {
+  const Robot robot(read(small_urdf).description);
+  const std::string urdf = written(small_urdf);
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read_srdf(urdf, robot)); }),
+                    "<link> is of a URDF file, a robot; pairs of links that are not looked at are in an SRDF file"));
+  const std::string srdf = "<robot name=\"small\">\n\n<disable_collisions link1=\"arm\" link2=\"base\"/></robot>\n";
+  EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read(srdf)); }),
+                    "robot.urdf:3: <disable_collisions> is of an SRDF file"));
+}
+
+TEST_F(UrdfFile, FaultsOfTheXmlAreToldByTheirLine) {
+  const auto fault = [&](const std::string& text) { return message_of([&] { static_cast<void>(read(text)); }); };
+  EXPECT_TRUE(tells(fault("hello\n"), "robot.urdf: this is no XML: no element is in it"));
+  EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</robot"),
+                    "robot.urdf:3: the XML ends here, and an element is still open"));
+  EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"><!--\n</link></robot>\n"),
+                    "robot.urdf:3: the XML ends here, and an element is still open"));
+  EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</link>\n"), "robot.urdf:3: this is no XML"));
+}
+
 TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {
   const TemporaryFolder folder;
   const Robot robot(planar_robot());

@@ -64,6 +64,13 @@ std::uint64_t FamilyEvidence::cases() const {
   return sum;
 }
 
+std::uint64_t FamilyEvidence::cases_of(const std::string& commit) const {
+  std::uint64_t sum = 0;
+  for (const EvidenceRun& run : runs)
+    if (run.commit == commit) sum += run.cases;
+  return sum;
+}
+
 std::uint64_t FamilyEvidence::wrong() const {
   std::uint64_t sum = 0;
   for (const EvidenceRun& run : runs) sum += run.wrong;

@@ -25,6 +25,7 @@ struct FamilyEvidence {
   std::vector<EvidenceRun> runs;
 
   [[nodiscard]] std::uint64_t cases() const;
+  [[nodiscard]] std::uint64_t cases_of(const std::string& commit) const;
   [[nodiscard]] std::uint64_t wrong() const;
   [[nodiscard]] double seconds() const;
   /// The least seed that no run has done.

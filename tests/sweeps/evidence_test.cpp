@@ -20,6 +20,8 @@ Evidence three_shards_of_two_commits() {
 TEST(Evidence, AddsUpOverCommits) {
   const Evidence evidence = three_shards_of_two_commits();
   EXPECT_EQ(evidence.family("needles").cases(), 30U);
+  EXPECT_EQ(evidence.family("needles").cases_of("abc"), 20U);
+  EXPECT_EQ(evidence.family("needles").cases_of("nobody"), 0U);
   EXPECT_EQ(evidence.family("needles").wrong(), 1U);
   EXPECT_EQ(evidence.family("needles").next_shard(), 3U);
   EXPECT_EQ(evidence.family("never run").next_shard(), 0U);

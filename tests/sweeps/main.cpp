@@ -22,14 +22,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* usage =
-    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID]\n"
+    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID] "
+    "[--anew]\n"
     "Runs shards of the families that are farthest from their goals, until all have reached them.\n"
     "  --evidence DIR  folder of the evidence files, one per sweep\n"
     "  --name SWEEP    only this sweep; may be given several times\n"
     "  --minutes M     start no shard after M minutes (default: run until every goal is reached)\n"
     "  --scale F       multiply every goal by F\n"
     "  --threads N     families at a time (default: one per core)\n"
-    "  --commit ID     the commit this program was built from, kept in the evidence\n";
+    "  --commit ID     the commit this program was built from, kept in the evidence\n"
+    "  --anew          what other commits have compared does not count towards the goals: for code that changed\n";
 
 struct Options {
   std::filesystem::path evidence;
@@ -38,14 +40,19 @@ struct Options {
   double scale = 1;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
+  bool anew = false;
 };
 
 Options parse(int argument_count, char** arguments) {
   Options options;
-  for (int i = 1; i < argument_count; i += 2) {
+  for (int i = 1; i < argument_count; ++i) {
     const std::string option = arguments[i];
-    if (i + 1 == argument_count) throw std::runtime_error(option + " needs a value");
-    const std::string value = arguments[i + 1];
+    if (option == "--anew") {
+      options.anew = true;
+      continue;
+    }
+    if (++i == argument_count) throw std::runtime_error(option + " needs a value");
+    const std::string value = arguments[i];
     if (option == "--evidence")
       options.evidence = value;
     else if (option == "--name")
@@ -62,6 +69,7 @@ Options parse(int argument_count, char** arguments) {
       throw std::runtime_error("unknown option " + option);
   }
   if (options.evidence.empty()) throw std::runtime_error("--evidence is missing");
+  if (!(options.scale > 0)) throw std::runtime_error("--scale: a number above 0");
   return options;
 }
 
@@ -95,8 +103,9 @@ class Run {
 
   /// The part of its goal that a family has reached.
   double progress(const Lane& lane) const {
-    const auto done = static_cast<double>(evidence_.at(lane.sweep).family(lane.family).cases());
-    return done / (static_cast<double>(lane.sweep->goal) * options_.scale);
+    const FamilyEvidence& family = evidence_.at(lane.sweep).family(lane.family);
+    const std::uint64_t done = options_.anew ? family.cases_of(options_.commit) : family.cases();
+    return static_cast<double>(done) / (static_cast<double>(lane.sweep->goal) * options_.scale);
   }
 
   /// The family that is farthest from its goal; nothing when all have reached it, or there is no time left.

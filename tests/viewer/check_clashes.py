@@ -10,6 +10,7 @@ import json
 import pathlib
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
@@ -86,22 +87,128 @@ def check_list(checks, browser):
     checks.expect(any("new" in row for row in everything), f"what is new is told: {everything}")
 
 
+def write_remark(browser, status, comment):
+    """As somebody at the keyboard does."""
+    type_into(browser, "review-status", status)
+    browser.value("document.getElementById('review-comment').focus()")
+    browser.call("Input.insertText", text=comment)
+    browser.value("document.getElementById('review-comment').blur()")
+
+
+def saved(checks, browser):
+    """The file that the button makes the browser download."""
+    folder = checks.folder / "downloads"
+    folder.mkdir(exist_ok=True)
+    browser.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+    browser.value("document.getElementById('save-review').click()")
+    for _ in range(200):
+        files = [file for file in folder.iterdir() if file.suffix == ".json"]
+        if files and files[0].stat().st_size > 0:
+            return files[0]
+        time.sleep(0.05)
+    raise TimeoutError("no review was downloaded")
+
+
+def open_review(browser, file):
+    document = browser.call("DOM.getDocument")["root"]["nodeId"]
+    chosen = browser.call("DOM.querySelector", nodeId=document, selector="#review-file")["nodeId"]
+    browser.value("document.getElementById('review-told').textContent = ''")
+    browser.call("DOM.setFileInputFiles", nodeId=chosen, files=[str(file)])
+    browser.wait_for("document.getElementById('review-told').textContent !== ''")
+    return browser.value("document.getElementById('review-told').textContent")
+
+
 def check_review(checks, browser):
+    """A status and a comment, the file that is downloaded, and the same page opened anew with it."""
+    told = "document.getElementById('review-told').textContent"
     browser.value("document.querySelectorAll('#finding-list .row')[0].click()")
-    type_into(browser, "review-status", "reviewed")
-    type_into(browser, "review-comment", "moved by Anna")
-    text = browser.value("toccata.review.text()")
+    write_remark(browser, "reviewed", "moved by Anna")
+    checks.expect(browser.value(told) == "not saved yet", f"what is not saved is told: {browser.value(told)}")
+    checks.expect(browser.value("window.onbeforeunload !== null"), "and the page asks before it is left")
+    file = saved(checks, browser)
+    checks.expect(file.name.endswith("-review.json"), f"called {file.name}")
+    checks.expect(browser.value(told) == f"1 clash in {file.name}", f"that it is saved is told: {browser.value(told)}")
+    checks.expect(browser.value("window.onbeforeunload === null"), "then the page can be left")
+    text = file.read_text()
     said = json.loads(text)
     checks.expect(said["format"] == "toccata-review" and len(said["clashes"]) == 1, f"the review: {text}")
     checks.expect("reviewed" in browser.value(LISTED)[0] and "moved by Anna" in browser.value(LISTED)[0], "the list tells it")
     checks.opened(browser, "hall.html", "#theme=light")
-    browser.value(f"toccata.openReview({json.dumps(text)})")
-    checks.expect(any("moved by Anna" in row for row in browser.value(LISTED)), "it is there again once it was opened")
+    checks.expect(not any("moved by Anna" in row for row in browser.value(LISTED)), "a page opened anew knows nothing of it")
+    checks.expect(open_review(browser, file) == "1 clash of the file", "the file is opened")
+    checks.expect(any("moved by Anna" in row for row in browser.value(LISTED)), "and it is there again")
+    type_into(browser, "clash-filter", "anna")
+    checks.expect(len(browser.value(LISTED)) == 1, "the filter knows comments")
+    type_into(browser, "clash-filter", "")
+    type_into(browser, "grouping", "status")
+    checks.expect(any(heading.startswith("reviewed · 1") for heading in browser.value(HEADINGS)), f"groups by status: {browser.value(HEADINGS)}")
+    type_into(browser, "grouping", "none")
     for wrong in ["{", "{}", text.replace("reviewed", "forgotten"), text.replace('"version": 1', '"version": 9')]:
-        browser.value(f"toccata.openReview({json.dumps(wrong)})")
-        told = browser.value("document.getElementById('review-told').textContent")
-        checks.expect("not read" in told, f"refused: {wrong[:30]}: {told}")
+        broken = checks.folder / "broken.json"
+        broken.write_text(wrong)
+        checks.expect("not read" in open_review(browser, broken), f"refused: {wrong[:30]}")
     checks.expect(any("moved by Anna" in row for row in browser.value(LISTED)), "what was there stays")
+    browser.value("document.querySelectorAll('#finding-list .row')[1].click()")
+    write_remark(browser, "active", "to do")
+    open_review(browser, file)
+    checks.expect(browser.value("window.onbeforeunload !== null"), "what was not saved still is not, after a file was opened")
+    file.unlink()
+    saved(checks, browser)
+
+
+def check_sorting(checks, browser):
+    """The deepest first; what is within its tolerance is no clash and dimmed."""
+    everything = sorted(browser.value(LISTED))
+    for order in browser.value("[...document.getElementById('order').options].map(option => option.value)"):
+        type_into(browser, "order", order)
+        checks.expect(sorted(browser.value(LISTED)) == everything, f"{order}: all are listed")
+    type_into(browser, "order", "deepest")
+    depths = browser.value("toccata.panels.order.map(i => toccata.findings.all[i].depth)")
+    checks.expect(depths == sorted(depths, reverse=True), f"the deepest first: {depths}")
+    dimmed = browser.value("[...document.querySelectorAll('#finding-list li.dim')].map(row => row.textContent)")
+    checks.expect(any("bolt" in row for row in dimmed), f"what is within the tolerance is dimmed: {dimmed}")
+
+
+def check_baseline(checks, browser):
+    """New, known and gone are told in the rows and as groups."""
+    type_into(browser, "grouping", "since")
+    headings = browser.value(HEADINGS)
+    report = json.loads(checks.run("check", "hall.json", "--tolerance", "0.1", "--baseline", "old.json", "--json"))
+    told = report["baseline"]
+    for state in ["new", "known", "graver"]:
+        if told[state]:
+            checks.expect(f"{state} · {told[state]}" in headings, f"{state}: {headings}")
+    checks.expect(f"gone · {len(told['gone'])}" in headings, f"gone: {headings}")
+    checks.expect(told["new"] > 0 and told["known"] > 0 and len(told["gone"]) > 0, f"the files have all kinds: {told}")
+    type_into(browser, "grouping", "none")
+
+
+def check_keys(checks, browser):
+    chosen = "toccata.state.finding"
+    order = browser.value("toccata.panels.order")
+    browser.value("document.getElementById('canvas').focus()")
+    browser.press("Escape")
+    checks.expect(browser.value(f"{chosen} === undefined"), "Escape goes back to all")
+    browser.press("n")
+    checks.expect(browser.value(chosen) == order[0], "N goes to the first")
+    browser.press("j")
+    checks.expect(browser.value(chosen) == order[1], "J to the next")
+    browser.press("p")
+    checks.expect(browser.value(chosen) == order[0], "P to the one before")
+    browser.press("k")
+    checks.expect(browser.value(chosen) == order[-1], "and around")
+    browser.press("/")
+    checks.expect(browser.value("document.activeElement.id") == "clash-filter", "/ goes to the filter")
+    browser.call("Input.insertText", text="n")
+    browser.press("n")
+    checks.expect(browser.value(chosen) == order[-1], "letters typed there are no keys")
+    type_into(browser, "clash-filter", "")
+    browser.value("document.getElementById('canvas').focus()")
+    for key, button in [("b", "labels"), ("r", "grid"), ("x", "through")]:
+        before = browser.value(f"document.getElementById('{button}').getAttribute('aria-pressed')")
+        browser.press(key)
+        checks.expect(browser.value(f"document.getElementById('{button}').getAttribute('aria-pressed')") != before, f"{key} switches {button}")
+        browser.press(key)
 
 
 def check_tools(checks, browser):
@@ -114,6 +221,13 @@ def check_tools(checks, browser):
     checks.expect(browser.picture() != before, "something is cut away")
     browser.value("(() => { const axis = document.getElementById('section-axis'); axis.value = '2'; axis.onchange(); })()")
     checks.expect(browser.value("Math.abs(toccata.stage.renderer.clippingPlanes[0].normal.z)") == 1, "across Z")
+    planes = "toccata.stage.renderer.clippingPlanes[0]"
+    where = browser.value(f"{planes}.constant")
+    browser.value("(() => { const at = document.getElementById('section-at'); at.value = '900'; at.oninput(); })()")
+    checks.expect(browser.value(f"{planes}.constant") != where, "the slider moves the plane")
+    side = browser.value(f"{planes}.normal.z")
+    browser.value("document.getElementById('section-flip').click()")
+    checks.expect(browser.value(f"{planes}.normal.z") == -side, "the other side is kept")
     browser.press("c")
     checks.expect(browser.value("toccata.stage.renderer.clippingPlanes.length") == 0, "no longer")
     browser.press("m")
@@ -143,8 +257,11 @@ def main():
             checks.opened(browser, "hall.html", "#theme=light")
             check_framing(checks, browser)
             check_list(checks, browser)
-            check_review(checks, browser)
+            check_sorting(checks, browser)
+            check_baseline(checks, browser)
+            check_keys(checks, browser)
             check_tools(checks, browser)
+            check_review(checks, browser)
             checks.quiet(browser, "hall.html")
     print(f"{checks.count} checks, {len(checks.failures)} failed")
     return 1 if checks.failures else 0

@@ -4,7 +4,7 @@ import type { Distance, GonePair, Header, Pair, PageData, Penetration, Region, R
 import { ofInspected } from './inspected';
 import { ofParts, ofSubdivided, ofSum } from './made';
 import { ofCosts, ofTrees } from './measured';
-import { countText, directionText, lengthText, numberText, vectorText } from './words';
+import { countText, directionText, groupedText, lengthText, numberText, vectorText } from './words';
 
 /// A text, or the name of an object, which is untrusted.
 export type Part = string | { object: number };
@@ -198,7 +198,7 @@ function ofNoQuestion({ header, report }: Pick<PageData, 'header' | 'report'>): 
   return { all: [], name: 'Shown', summary: shown.map(({ name }) => name), none: told || alone, orders: ['listed'], shown: [] };
 }
 
-const counted = (count: number) => count.toLocaleString('en-US');
+const counted = groupedText;
 
 function outerOf(containment: string, a: number, b: number): number | undefined {
   return containment === 'a_in_b' ? b : containment === 'b_in_a' ? a : undefined;

@@ -60,8 +60,7 @@ export class Review {
     const { format: named, version, clashes } = (file ?? {}) as { format?: unknown; version?: unknown; clashes?: unknown };
     if (named !== format || version !== 1 || !Array.isArray(clashes)) throw new Error('it is no review that this page saves');
     const read = clashes.map((entry, i) => remarkOf(entry, i));
-    for (const remark of read) this.remarks.set(keyOf(remark.a, remark.b), remark);
-    this.changed = false;
+    for (const remark of read) this.remarks.set(keyOf(remark.a, remark.b), remark); // what was not saved still is not
     return read.length;
   }
 }

@@ -289,6 +289,7 @@ export class Viewer {
     link.download = `${this.data.header.title.replace(/[^\w.-]+/g, '-') || 'toccata'}-review.json`;
     link.click();
     this.review.changed = false;
+    element('review-told').textContent = `${countText(this.review.count, 'clash', 'clashes')} in ${link.download}`;
     window.setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 

@@ -13,8 +13,14 @@ export function lengthText(x: number | null, unit: string): string {
   return `${numberText(x)} ${/^[-+.\d]/.test(unit) ? '× ' : ''}${unit}`;
 }
 
+/// Made once: to make one anew takes longer than all else that is done for a row of a list.
+const grouping = new Intl.NumberFormat('en-US');
+
+/// 1234567 as "1,234,567".
+export const groupedText = (n: number) => grouping.format(n);
+
 export function countText(n: number, one: string, many = `${one}s`): string {
-  return `${n.toLocaleString('en-US')} ${n === 1 ? one : many}`;
+  return `${groupedText(n)} ${n === 1 ? one : many}`;
 }
 
 export function vectorText(v: Vec): string {

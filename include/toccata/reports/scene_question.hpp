@@ -29,6 +29,10 @@ namespace toccata {
 /// Which pairs touch, or are nearer than their clearance: `check`.
 using CheckQuestion = ReportOptions;
 
+/// Whether rules leave a pair to be checked: two models that are not of one group. A check of which they leave none is
+/// passed by looking at nothing.
+[[nodiscard]] bool leave_a_pair(const NameRules& rules, std::span<const SceneInstance> models);
+
 /// How two objects lie at many poses: `check --poses`.
 struct CheckPosesQuestion {
   static const io::QuestionKind kind;

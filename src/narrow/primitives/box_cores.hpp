@@ -22,16 +22,34 @@ HWY_INLINE ThreeNumbers numbers_of(const OneVector& v) {
   return {first_of(x_of(v)), first_of(y_of(v)), first_of(z_of(v))};
 }
 
-/// A box under a pose that is rigid but for rounding. Its corners, which are rounded each by itself, are made where
-/// they are needed.
-template <class Corners>
+/// The corners of a box in the world, each rounded by itself: stored, or made where they are needed.
+class BlockCorners {
+ public:
+  HWY_INLINE BlockCorners(const Box& box, const Pose& pose) : box_(&box), placing_(pose) {}
+  HWY_INLINE explicit BlockCorners(const PosedPolytope& box)
+      : placing_(box.pose()), along_{box.along(0), box.along(1), box.along(2)} {}
+
+  [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const {
+    if (box_ == nullptr) return in_one(along_[0][i], along_[1][i], along_[2][i]);
+    const Vec3 lower = box_->centre() - box_->half_extents(), upper = box_->centre() + box_->half_extents();
+    return placing_(
+        {(i & 1U) != 0 ? upper.x : lower.x, (i & 2U) != 0 ? upper.y : lower.y, (i & 4U) != 0 ? upper.z : lower.z});
+  }
+
+ private:
+  const Box* box_ = nullptr;  ///< null: they are stored
+  Placing placing_;
+  std::array<const double*, 3> along_{};
+};
+
+/// A box under a pose that is rigid but for rounding.
 struct OneBlock {
   const Mat3& axes;  ///< as columns
   OneVector centre;  ///< in the world, rounded
   OneVector half;
   double slack;   ///< no corner is farther than this from centre ± half · axes
   double radius;  ///< by which it is grown
-  Corners corner;
+  BlockCorners corner;
 
   /// In the box's frame, from its centre.
   [[nodiscard]] HWY_INLINE OneVector local(const OneVector& from_centre) const {
@@ -44,26 +62,13 @@ struct OneBlock {
   }
 };
 
-struct GivenCorners {
-  const Box& box;
-  Placing placing;
-
-  [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const {
-    const Vec3 lower = box.centre() - box.half_extents(), upper = box.centre() + box.half_extents();
-    return placing(
-        {(i & 1U) != 0 ? upper.x : lower.x, (i & 2U) != 0 ? upper.y : lower.y, (i & 4U) != 0 ? upper.z : lower.z});
-  }
-};
-
-struct StoredCorners {
-  std::array<const double*, 3> along;
-
-  [[nodiscard]] HWY_INLINE OneVector operator()(Index i) const { return in_one(along[0][i], along[1][i], along[2][i]); }
-};
-
-HWY_INLINE OneBlock<GivenCorners> in_world(const Box& box, const Pose& pose) {
-  return {pose.linear,         placed_in_one(pose, box.centre()), in_one(box.half_extents()), slack_of(box, pose), 0,
-          {box, Placing(pose)}};
+HWY_INLINE OneBlock in_world(const Box& box, const Pose& pose) {
+  return {pose.linear,
+          placed_in_one(pose, box.centre()),
+          in_one(box.half_extents()),
+          slack_of(box, pose),
+          0,
+          BlockCorners(box, pose)};
 }
 
 /// How a point lies beside a box. Distances in the box's frame are off by `error`: see rigid_overlap.cpp.
@@ -85,8 +90,7 @@ struct BesideBox {
   }
 };
 
-template <class Corners>
-HWY_INLINE double frame_error(const OneBlock<Corners>& block, const OneVector& from_centre) {
+HWY_INLINE double frame_error(const OneBlock& block, const OneVector& from_centre) {
   return 0x1p-40 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) +
          (2 * block.slack + nearness_floor);
 }
@@ -105,8 +109,7 @@ HWY_INLINE BesideBox beside(const OneVector& local, const OneVector& half, doubl
 }
 
 /// From the nearest point of the box, in the world.
-template <class Corners>
-HWY_INLINE OneVector way_from(const OneBlock<Corners>& block, const BesideBox& b) {
+HWY_INLINE OneVector way_from(const OneBlock& block, const BesideBox& b) {
   ThreeNumbers outside;
   for (std::size_t k = 0; k < 3; ++k) outside[k] = b.is_before(k) ? 0 : std::copysign(b.beyond[k], b.at[k]);
   return block.turned(in_one(outside[0], outside[1], outside[2]));
@@ -126,8 +129,7 @@ struct BoxSide {
   bool is_certain = false;  ///< the triangle
 };
 
-template <class Corners>
-HWY_INLINE BoxSide side_of(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point) {
+HWY_INLINE BoxSide side_of(const OneBlock& block, const BesideBox& b, const OneVector& point) {
   const std::size_t i = b.across == 2 ? 0 : b.across + 1, j = b.across == 0 ? 2 : b.across - 1;
   const Index first = b.corner(), at_i = first ^ Index { 1 } << i, at_j = first ^ Index { 1 } << j;
   const OneVector c = block.corner(first), ci = block.corner(at_i), cj = block.corner(at_j),
@@ -158,8 +160,7 @@ HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
 }
 
 /// A point that is certainly outside of the box.
-template <class Corners>
-HWY_NOINLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock<Corners>& b, const BesideBox& beside_b,
+HWY_NOINLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock& b, const BesideBox& beside_b,
                                            bool& is_certain) {
   const BoxSide side = side_of(b, beside_b, a.centre);
   is_certain = side.is_certain;
@@ -195,26 +196,22 @@ struct WayOut {
 
 /// How far the box reaches along a direction: it is told from the direction as it is rounded, so that sums of products
 /// alone are off, by less than 2^-50 of the sizes, and corners by the slack.
-template <class Corners>
-HWY_INLINE double reach_along(const OneBlock<Corners>& block, const OneVector& direction) {
+HWY_INLINE double reach_along(const OneBlock& block, const OneVector& direction) {
   return first_of(dot(block.half, magnitudes_of(block.local(direction))));
 }
-template <class Corners>
-HWY_INLINE double reach_error(const OneBlock<Corners>& block, const OneVector& sizes) {
+HWY_INLINE double reach_error(const OneBlock& block, const OneVector& sizes) {
   return 0x1p-49 * first_of(sum_of(plus(sizes, block.half))) + block.slack;
 }
 
 /// The face's normal towards the side on which the number is positive.
-template <class Corners>
-HWY_INLINE OneVector outward_normal(const OneBlock<Corners>& block, std::size_t axis, double side) {
+HWY_INLINE OneVector outward_normal(const OneBlock& block, std::size_t axis, double side) {
   const OneVector normal = face_normal(block.axes, axis);
   return (numbers_of(block.local(normal))[axis] > 0) == (side > 0) ? normal : negative(normal);
 }
 
 /// Of a point, through the face that is seen to be the nearest; the other five are farther by more than the frame is
 /// off.
-template <class Corners>
-HWY_NOINLINE WayOut way_out(const OneBlock<Corners>& block, const BesideBox& b, const OneVector& point,
+HWY_NOINLINE WayOut way_out(const OneBlock& block, const BesideBox& b, const OneVector& point,
                             const OneVector& from_centre) {
   const std::size_t k = b.across;
   const bool is_beside = std::fabs(b.at[k]) > 4 * b.error, is_within = b.beyond[k] < -4 * b.error;
@@ -290,8 +287,7 @@ struct RodBesideBox {
 
 /// By the slope that is left, no point along the segment can be nearer than it tells: the squared distance is convex.
 /// Products are off by less than 2^-47 of the square of the sizes.
-template <class Corners>
-HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock& b) {
   const OneVector from = minus(a.start, b.centre), along = minus(a.end, a.start);
   const OneVector local = b.local(from), way = b.local(along);
   const SlopeAlong slope{numbers_of(local), numbers_of(way), numbers_of(b.half)};
@@ -307,8 +303,7 @@ HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock<Corners>& b) {
 }
 
 /// From within the segment, an edge of the box or a corner is seen.
-template <class Corners>
-HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
                                          bool& is_certain) {
   const BesideBox& at = rod.nearest;
   std::size_t k = at.beyond[1] < at.beyond[0] ? 1 : 0;
@@ -332,8 +327,7 @@ HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock<Corners
           feature_of(at)};
 }
 
-template <class Corners>
-HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
                                          bool& is_certain) {
   const bool at_end = rod.share >= 1;
   const OneVector point = select(at_end, a.end, a.start), other = select(at_end, a.start, a.end);
@@ -349,8 +343,7 @@ HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock<Corners
 }
 
 /// The segment does not reach the box.
-template <class Corners>
-HWY_NOINLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod,
+HWY_NOINLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
                                            bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
@@ -389,8 +382,7 @@ HWY_INLINE RodAxes axes_of_rod(const ThreeNumbers& at, const ThreeNumbers& way, 
 }
 
 /// Through a face with the end that is deeper by enough to be the only one.
-template <class Corners>
-HWY_INLINE WayOut way_through_face(const OneRod& a, const OneBlock<Corners>& b, std::size_t axis, double side) {
+HWY_INLINE WayOut way_through_face(const OneRod& a, const OneBlock& b, std::size_t axis, double side) {
   WayOut way;
   way.outwards = outward_normal(b, axis, side);
   const OneVector start = minus(a.start, b.centre), end = minus(a.end, b.centre);
@@ -404,8 +396,7 @@ HWY_INLINE WayOut way_through_face(const OneRod& a, const OneBlock<Corners>& b, 
 }
 
 /// Across an edge: the point of the segment is the one that is nearest to the edge's line.
-template <class Corners>
-HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock<Corners>& b, std::size_t axis, double sine_squared) {
+HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock& b, std::size_t axis, double sine_squared) {
   const int k = static_cast<int>(axis);
   const OneVector edge = in_one(b.axes[0][k], b.axes[1][k], b.axes[2][k]), along = minus(a.end, a.start),
                   from = minus(a.start, b.centre), normal = cross(edge, along);
@@ -431,8 +422,7 @@ HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock<Corners>& b, s
 
 /// Along the axis that is the least in the frame, which is off by 2^-40 of the sizes over the sine; the other five are
 /// deeper by more than that.
-template <class Corners>
-HWY_NOINLINE WayOut way_out(const OneRod& a, const OneBlock<Corners>& b, const RodBesideBox& rod) {
+HWY_NOINLINE WayOut way_out(const OneRod& a, const OneBlock& b, const RodBesideBox& rod) {
   const ThreeNumbers local = numbers_of(b.local(minus(a.start, b.centre)));
   const RodAxes axes = axes_of_rod(local, rod.way, rod.nearest.half);
   const bool is_face = axes.least < 3;

@@ -28,9 +28,7 @@ HWY_INLINE FrameContact frame_contact(const BesideBox& at, double least_squared,
 }
 
 /// Of shapes that are apart: the way across the gap, rounded.
-template <class Corners>
-HWY_INLINE Penetration across_gap(const OneVector& on_a, double radius_a, const OneBlock<Corners>& b,
-                                  const BesideBox& at) {
+HWY_INLINE Penetration across_gap(const OneVector& on_a, double radius_a, const OneBlock& b, const BesideBox& at) {
   const OneVector way = way_from(b, at), direction = scaled(-1 / std::sqrt(first_of(dot(way, way))), way);
   Penetration result;
   store(direction, result.direction);
@@ -56,16 +54,15 @@ HWY_INLINE Penetration depth_within(const WayOut& way, double radius_a, double r
 }
 
 /// Rounding of its corners has not made it flat: a flat box can only touch.
-template <class Corners>
-HWY_INLINE bool is_thick(const OneBlock<Corners>& b) {
+HWY_INLINE bool is_thick(const OneBlock& b) {
   const ThreeNumbers half = numbers_of(b.half);
   return half[0] > 4 * b.slack && half[1] > 4 * b.slack && half[2] > 4 * b.slack;
 }
 
 // Of a core that does not reach the box's. Called, and not compiled again into each that asks.
 
-template <class Core, class Block, class Beside>
-HWY_NOINLINE Penetration depth_outside(const Core& a, const Block& b, const Beside& beside) {
+template <class Core, class Beside>
+HWY_NOINLINE Penetration depth_outside(const Core& a, const OneBlock& b, const Beside& beside) {
   bool is_certain = false;
   const auto cores = cores_beside(a, b, beside, is_certain);
   Penetration depth = depth_of(cores);
@@ -73,8 +70,8 @@ HWY_NOINLINE Penetration depth_outside(const Core& a, const Block& b, const Besi
   return depth;
 }
 
-template <class Core, class Block, class Beside>
-HWY_NOINLINE Distance distance_outside(const Core& a, const Block& b, const Beside& beside) {
+template <class Core, class Beside>
+HWY_NOINLINE Distance distance_outside(const Core& a, const OneBlock& b, const Beside& beside) {
   bool is_certain = false;
   const auto cores = cores_beside(a, b, beside, is_certain);
   Distance distance = distance_of(cores);
@@ -82,8 +79,8 @@ HWY_NOINLINE Distance distance_outside(const Core& a, const Block& b, const Besi
   return distance;
 }
 
-template <class Core, class Block, class Beside>
-HWY_NOINLINE Manifold manifold_outside(const Core& a, const Block& b, const Beside& beside) {
+template <class Core, class Beside>
+HWY_NOINLINE Manifold manifold_outside(const Core& a, const OneBlock& b, const Beside& beside) {
   bool is_certain = false;
   const auto cores = cores_beside(a, b, beside, is_certain);
   Manifold manifold = manifold_of(cores);
@@ -91,8 +88,7 @@ HWY_NOINLINE Manifold manifold_outside(const Core& a, const Block& b, const Besi
   return manifold;
 }
 
-template <class Corners>
-HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_depth();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
@@ -102,8 +98,7 @@ HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock<Corners>& b) {
   return depth_outside(a, b, at);
 }
 
-template <class Corners>
-HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_depth();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
@@ -117,16 +112,14 @@ HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock<Corners>& b) {
 
 // Distances.
 
-template <class Corners>
-HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock& b) {
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
   if (!(at.beyond[at.across] > at.error)) return unknown_distance();
   return distance_outside(a, b, at);
 }
 
-template <class Corners>
-HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock& b) {
   const RodBesideBox rod = beside(a, b);
   if (!(rod.nearest.beyond[rod.nearest.across] > rod.nearest.error)) return unknown_distance();
   return distance_outside(a, b, rod);
@@ -147,8 +140,7 @@ HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double r
   return result;
 }
 
-template <class Corners>
-HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock<Corners>& b) {
+HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_manifold();
   const OneVector from = minus(a.centre, b.centre);
   const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
@@ -184,8 +176,7 @@ HWY_INLINE bool is_of_one_point(const RodBesideBox& rod, double reach) {
   return most * most < 0.998 * cosine_of_face_contact * cosine_of_face_contact * at.squared;
 }
 
-template <class Corners>
-HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
+HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_manifold();
   const RodBesideBox rod = beside(a, b);
   const FrameContact contact = frame_contact(rod.nearest, rod.least_squared, a.radius + b.radius);
@@ -194,7 +185,7 @@ HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock<Corners>& b) {
   return manifold_outside(a, b, rod);
 }
 
-HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock<GivenCorners>& b) {
+HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock& b) {
   const RodBesideBox rod = beside(a, b);
   const double reach = a.radius + b.radius, inner = reach - rod.nearest.error, outer = reach + rod.nearest.error;
   if (inner > 0 && rod.nearest.squared < less_square * (inner * inner)) return Nearness::meet;
@@ -205,18 +196,18 @@ HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock<GivenCorners>& 
 
 HWY_INLINE bool is_rigid(const Pose& pose) { return are_rigid(pose, pose); }
 
-HWY_INLINE OneBlock<GivenCorners> in_world(const PosedBox& box) {
+HWY_INLINE OneBlock in_world(const PosedBox& box) {
   return {box.pose.linear,
           in_one(box.rigid.centre),
           in_one(box.rigid.half_extents),
           box.rigid.slack,
           0,
-          {box.shape, Placing(box.pose)}};
+          BlockCorners(box.shape, box.pose)};
 }
-HWY_INLINE OneBlock<StoredCorners> in_world(const PosedPolytope& box) {
+HWY_INLINE OneBlock in_world(const PosedPolytope& box) {
   const RigidBox& rigid = box.as_box();
   return {box.pose().linear, in_one(rigid.centre), in_one(rigid.half_extents),
-          rigid.slack,       box.radius(),         {{box.along(0), box.along(1), box.along(2)}}};
+          rigid.slack,       box.radius(),         BlockCorners(box)};
 }
 HWY_INLINE const Pose& pose_of(const PosedBox& box) { return box.pose; }
 HWY_INLINE const Pose& pose_of(const PosedPolytope& box) { return box.pose(); }

@@ -47,7 +47,7 @@ CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, SearchScratch& 
   if (!overlap(a.box(), b.box())) return {};
   if (!comes_first(a, b)) return common_piece(b, a, scratch);
   const Aabb region = common_box(a.box(), b.box());
-  const auto winding_a = only_winding_in(a, region), winding_b = only_winding_in(b, region);
+  const auto winding_a = only_winding_in(a, region, scratch), winding_b = only_winding_in(b, region, scratch);
   if (winding_a == 0 || winding_b == 0) return {};
   const WindingVolume found = winding_volume(a, b, scratch);
   CommonPiece piece{{}, found.curve_count, found.middle};

@@ -28,7 +28,7 @@ struct WindingVolume {
 
 /// The winding number that a closed mesh has in the region, besides 0: 0 where it has no other, and nothing where there
 /// are several or it could not be proved that there are not.
-[[nodiscard]] std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region);
+[[nodiscard]] std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, SearchScratch& scratch);
 
 /// Of two boxes that overlap.
 [[nodiscard]] Aabb common_box(const Aabb& a, const Aabb& b);

@@ -339,7 +339,7 @@ struct CheckKind {
   }
 
   static CheckQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "clearance",
+    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_per_depth", "clearance",
                        "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding", "volume", "tolerance",
                        "tolerances", "group"});
     CheckQuestion q;
@@ -378,6 +378,8 @@ struct CheckKind {
     options.tolerance = question.tolerance;
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
+    if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
+      throw Error("nothing would be checked: the rules leave no pair of two objects");
     const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
     require_wanted(question.pair_clearances, wanted, asking.models);
     const WantedAnswer found = check_wanted(

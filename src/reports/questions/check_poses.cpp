@@ -52,7 +52,8 @@ struct CheckPosesKind {
   }
 
   static CheckPosesQuestion read(const io::JsonValue& value) {
-    value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_limit", "poses", "solid"});
+    value.expect_keys(
+        {"question", "touching", "faces", "penetration", "precision", "time_per_depth", "poses", "solid"});
     CheckPosesQuestion q{io::queries_read_from(value), io::touching_of(value), value.flag_or("faces", false),
                          value.flag_or("penetration", false)};
     const DepthOptions depth = io::depth_options_of(value);

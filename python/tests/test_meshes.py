@@ -1,0 +1,74 @@
+"""What is wrong with a mesh and how it is closed; hulls of half-spaces and views; files of many objects."""
+
+import json
+
+import numpy
+import pytest
+
+import toccata
+
+
+def test_holes_are_found_and_closed():
+    ball = toccata.generate_mesh("icosphere", radius=1, subdivisions=2)
+    opened = toccata.Mesh(ball.vertices, ball.faces[1:])
+    (fault,) = toccata.mesh_faults(opened)
+    assert fault.kind == toccata.MeshFaultKind.boundary_edges and len(fault) == 3 == opened.health().boundary_edges
+    assert fault.edges.shape == (3, 2) and fault.triangles.shape == (0,) and not toccata.mesh_faults(ball)
+    a, b, c = ball.vertices[ball.faces[0]]
+    sides = [numpy.linalg.norm(side) for side in (b - a, c - b, a - c)]
+    height = numpy.linalg.norm(numpy.cross(b - a, c - a)) / max(sides)
+    closed, done = toccata.close_mesh(opened, (height + min(sides)) / 2)  # by a triangle, and not by one vertex for its corners
+    assert closed.closed and isinstance(closed, toccata.Mesh) and (done.filled_holes, done.added_triangles, done.open_holes) == (1, 1, 0)
+    assert toccata.closing_gap(ball) == 0 and toccata.closing_gap(toccata.Mesh(ball.vertices, ball.faces[:1])) is None
+    corners = ball.vertices[ball.faces].reshape(-1, 3)
+    torn = toccata.Mesh(corners + numpy.random.default_rng(1).uniform(-1e-6, 1e-6, corners.shape), numpy.arange(len(corners)).reshape(-1, 3))
+    gap = toccata.closing_gap(torn)
+    assert 1e-7 < gap < 1e-5 and toccata.close_mesh(torn, gap)[0].closed
+    left, nothing = toccata.close_mesh(opened, 1e-9)
+    assert not left.closed and nothing.open_holes == 1
+    for wrong in (0, -1, float("nan"), float("inf")):
+        with pytest.raises(toccata.Error):
+            toccata.close_mesh(opened, wrong)
+    with pytest.raises(toccata.Error, match="Mesh is needed"):
+        toccata.mesh_faults(toccata.Sphere(1))
+
+
+def test_parts_of_a_mesh():
+    ball = toccata.generate_mesh("icosphere", radius=1, subdivisions=1)
+    two = toccata.Mesh(numpy.vstack([ball.vertices, ball.vertices + 5]), numpy.vstack([ball.faces, ball.faces + len(ball.vertices)]))
+    parts = toccata.mesh_parts(two)
+    assert parts.tolist() == [0] * len(ball.faces) + [1] * len(ball.faces)
+
+
+def test_hulls_of_half_spaces_and_views():
+    sides = [toccata.HalfSpace(numpy.multiply(normal, 2), normal) for normal in numpy.vstack([numpy.eye(3), -numpy.eye(3)])]
+    cube = toccata.hull_of_half_spaces(sides)
+    assert isinstance(cube, toccata.ConvexHull) and sorted(map(tuple, numpy.abs(cube.vertices))) == [(2, 2, 2)] * 8
+    for wrong in (sides[:4], [], [5], [toccata.Sphere(1)], [toccata.HalfSpace((0, 0, 0), (0, 0, 1)), toccata.HalfSpace((0, 0, 5), (0, 0, -1))]):
+        with pytest.raises(toccata.Error):
+            toccata.hull_of_half_spaces(wrong)
+    view = toccata.view_frustum((0, 0, 0), (0, 0, -1), nearest=1, farthest=10)
+    seen = [toccata.overlap(view, toccata.Point(p)) for p in ((0, 0, -5), (0, 0, 5), (0, 0, -11), (9, 0, -5))]
+    assert seen == [True, False, False, False]
+    with pytest.raises(toccata.Error):
+        toccata.view_frustum((0, 0, 0), (0, 1, 0), nearest=2, farthest=1)
+
+
+def test_scenes_are_read_with_their_places(tmp_path):
+    ball = toccata.generate_mesh("icosphere", radius=1, subdivisions=1)
+    ball.write(str(tmp_path / "ball.obj"))
+    objects = [
+        {"name": "one", "file": "ball.obj", "pose": {"translation": [1, 2, 3]}},
+        {"name": "two", "shape": {"type": "sphere", "radius": 2, "centre": [0, 0, 0]}},
+    ]
+    file = tmp_path / "scene.json"
+    file.write_text(json.dumps({"format": "toccata-scene", "version": 1, "unit": "unit", "objects": objects}))
+    one, two = toccata.load_scene(str(file))
+    assert (one.name, two.name) == ("one", "two") and one.pose.offset.tolist() == [1, 2, 3] and two.shape.radius == 2
+    (alone,) = toccata.load_scene(str(tmp_path / "ball.obj"), "mm")
+    assert numpy.allclose(alone.pose.linear, numpy.eye(3) * 1e-3)
+    assert toccata.SceneIndex([one, two]).overlapping(toccata.Point((1, 2, 3))).tolist() == [0]
+    with pytest.raises(toccata.Error, match="nothing.json"):
+        toccata.load_scene(str(tmp_path / "nothing.json"))
+    with pytest.raises(toccata.Error):
+        toccata.load_scene(str(tmp_path / "ball.obj"), "ells")

@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <tuple>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "distributed/distributed_state.hpp"
+#include "math/constants.hpp"
+#include "toccata/core/error.hpp"
+#include "world/body_box.hpp"
+
+namespace toccata {
+namespace {
+
+Body as_body(const SceneInstance& shape) { return {.model = shape.model, .pose = shape.pose, .solid = shape.solid}; }
+
+Aabb box_of(const SceneInstance& shape) {
+  return body_box(as_body(shape), shape.pose, [] { return std::string("the shape"); });
+}
+
+/// Around the box and where it comes to be, rounded outward.
+Aabb box_on_the_way(const Aabb& box, const Vec3& motion) {
+  Aabb way = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    way.lower[axis] = std::min(box.lower[axis], std::nextafter(box.lower[axis] + motion[axis], -infinity));
+    way.upper[axis] = std::max(box.upper[axis], std::nextafter(box.upper[axis] + motion[axis], infinity));
+  }
+  return way;
+}
+
+/// No point of one is nearer to one of the other than this.
+double least_gap(const Aabb& a, const Aabb& b) {
+  std::array<double, 3> gap{};
+  for (int axis = 0; axis < 3; ++axis)
+    gap[static_cast<std::size_t>(axis)] = std::max({0., a.lower[axis] - b.upper[axis], b.lower[axis] - a.upper[axis]});
+  return std::hypot(gap[0], gap[1], gap[2]) * (1 - 0x1p-30);
+}
+
+template <class Found>
+using FirstOf = std::optional<GlobalAnswer<Found>>;
+
+/// The first of two answers, by (upper, id), in an interval that has the least of all.
+template <class Found>
+void keep_first_of(FirstOf<Found>& first, const FirstOf<Found>& other) {
+  if (!other) return;
+  const double lower = first ? std::min(first->lower, other->lower) : other->lower;
+  if (!first || std::tie(other->upper, other->body) < std::tie(first->upper, first->body)) first = other;
+  first->lower = lower;
+}
+
+void merge_ids(std::vector<GlobalId>& ids, const std::vector<GlobalId>& others) {
+  ids.insert(ids.end(), others.begin(), others.end());
+  std::sort(ids.begin(), ids.end());
+}
+
+void put_question(MessageWriter& letter, const Ray& ray) { letter.put(ray); }
+void put_question(MessageWriter& letter, const SceneInstance& shape) {
+  put_shape(letter, shape.model.shape());
+  letter.put(shape.pose);
+  letter.put(shape.solid);
+}
+void put_question(MessageWriter& letter, const MovingShape& moving) {
+  put_question(letter, moving.shape);
+  letter.put(moving.motion);
+}
+
+template <class Question>
+Question get_question(MessageReader& reader) {
+  if constexpr (std::is_same_v<Question, Ray>) {
+    return reader.get<Ray>();
+  } else if constexpr (std::is_same_v<Question, MovingShape>) {
+    SceneInstance shape = get_question<SceneInstance>(reader);
+    return {std::move(shape), reader.get<Vec3>()};
+  } else {
+    SceneInstance shape{Model(get_shape(reader))};
+    shape.pose = reader.get<Pose>();
+    shape.solid = reader.get<Solid>();
+    return shape;
+  }
+}
+
+template <class Found>
+void put_answer(MessageWriter& letter, const FirstOf<Found>& answer) {
+  letter.put(answer.has_value());
+  if (answer) letter.put(*answer);
+}
+void put_answer(MessageWriter& letter, const std::vector<GlobalId>& ids) {
+  letter.put_all(std::span<const GlobalId>(ids));
+}
+
+template <class Found>
+void get_answer(MessageReader& reader, FirstOf<Found>& answer) {
+  if (reader.get<bool>()) answer = reader.get<GlobalAnswer<Found>>();
+}
+void get_answer(MessageReader& reader, std::vector<GlobalId>& ids) { ids = reader.get_all<GlobalId>(); }
+
+template <class Question>
+constexpr const char* noun_of = std::is_same_v<Question, Ray> ? "ray" : "shape";
+
+}  // namespace
+
+template <class Answer, class Question, class MayKnow, class AnswerOne, class Merge>
+std::vector<Answer> DistributedWorld::State::ask_ranks(std::span<const Question> questions, const MayKnow& may_know,
+                                                       const AnswerOne& answer, const Merge& merge) {
+  queries_.update();
+  const std::vector<Aabb> boxes = boxes_of_ranks();
+  std::vector<Answer> answers(questions.size());
+  Letters letters;
+  ranks_.all_do([&] {
+    for (std::size_t i = 0; i < questions.size(); ++i) try {
+        answers[i] = answer(questions[i]);
+        for (int to = 0; to < ranks_.count(); ++to) {
+          const Aabb& box = boxes[static_cast<std::size_t>(to)];
+          if (to == ranks_.rank() || is_empty(box) || !may_know(questions[i], box, answers[i])) continue;
+          letters[to].put(std::uint64_t{i});
+          put_question(letters[to], questions[i]);
+        }
+      } catch (const Error& error) {
+        throw Error(fmt::format("{} {}: {}", noun_of<Question>, i, error.what()));
+      }
+    return false;
+  });
+  const std::vector<Received> asked = ranks_.exchange(letters);
+  Letters replies;
+  ranks_.all_do([&] {
+    for (const Received& received : asked)
+      for (MessageReader reader(received.bytes); !reader.is_at_end();) {
+        const auto number = reader.get<std::uint64_t>();
+        replies[received.from].put(number);
+        try {
+          put_answer(replies[received.from], answer(get_question<Question>(reader)));
+        } catch (const Error& error) {
+          throw Error(fmt::format("{} {} of rank {}: {}", noun_of<Question>, number, received.from, error.what()));
+        }
+      }
+    return false;
+  });
+  for (const Received& received : ranks_.exchange(replies))
+    for (MessageReader reader(received.bytes); !reader.is_at_end();) {
+      const auto number = reader.get<std::uint64_t>();
+      Answer other{};
+      get_answer(reader, other);
+      merge(answers[number], other);
+    }
+  return answers;
+}
+
+std::vector<Aabb> DistributedWorld::State::boxes_of_ranks() {
+  Aabb own;
+  for (const auto& [id, local] : local_)
+    if (copy(local).lives_here) own = merge(own, world_.box(local));
+  std::vector<double> ends(6 * static_cast<std::size_t>(ranks_.count()), infinity);
+  for (int axis = 0; axis < 3; ++axis) {
+    double* end = &ends[6 * static_cast<std::size_t>(ranks_.rank()) + 2 * static_cast<std::size_t>(axis)];
+    end[0] = own.lower[axis];
+    end[1] = -own.upper[axis];
+  }
+  ranks_.find_least(ends);
+  std::vector<Aabb> boxes(static_cast<std::size_t>(ranks_.count()));
+  for (std::size_t rank = 0; rank < boxes.size(); ++rank)
+    for (int axis = 0; axis < 3; ++axis) {
+      boxes[rank].lower[axis] = ends[6 * rank + 2 * static_cast<std::size_t>(axis)];
+      boxes[rank].upper[axis] = -ends[6 * rank + 2 * static_cast<std::size_t>(axis) + 1];
+    }
+  return boxes;
+}
+
+template <class Found, class Ask>
+std::optional<GlobalAnswer<Found>> DistributedWorld::State::first_here(const Ask& ask) const {
+  FirstOf<Found> first;
+  BodyFilter filter;
+  // The World has told the one of least index; one of lesser id may be as near.
+  filter.accepts = [&](BodyId local) { return copy(local).lives_here && (!first || copy(local).id < first->body); };
+  for (;;) {
+    const std::optional<BodyAnswer<Found>> found = ask(filter, first ? first->upper : infinity);
+    if (!found) return first;
+    const FirstOf<Found> other = GlobalAnswer<Found>{static_cast<const Found&>(*found), copy(found->body).id};
+    const bool is_first = !first || found->upper <= first->upper;
+    keep_first_of(first, other);
+    if (!is_first) return first;
+  }
+}
+
+std::vector<std::optional<GlobalAnswer<RayHit>>> DistributedWorld::State::cast_ray_each(std::span<const Ray> rays) {
+  using Answer = FirstOf<RayHit>;
+  return ask_ranks<Answer>(
+      rays,
+      [](const Ray& ray, const Aabb& box, const Answer&) {
+        return overlap(box, box_on_the_way({ray.origin, ray.origin}, ray.motion));
+      },
+      [&](const Ray& ray) {
+        return first_here<RayHit>([&](const BodyFilter& filter, double) { return queries_.cast_ray(ray, filter); });
+      },
+      keep_first_of<RayHit>);
+}
+
+std::vector<std::optional<GlobalAnswer<ShapeHit>>> DistributedWorld::State::cast_shape_each(
+    std::span<const MovingShape> moving) {
+  using Answer = FirstOf<ShapeHit>;
+  return ask_ranks<Answer>(
+      moving,
+      [](const MovingShape& one, const Aabb& box, const Answer&) {
+        return overlap(box, box_on_the_way(box_of(one.shape), one.motion));
+      },
+      [&](const MovingShape& one) {
+        return first_here<ShapeHit>([&](const BodyFilter& filter, double) { return queries_.cast_shape(one, filter); });
+      },
+      keep_first_of<ShapeHit>);
+}
+
+std::vector<std::vector<GlobalId>> DistributedWorld::State::within_each(std::span<const SceneInstance> shapes,
+                                                                        double distance) {
+  BodyFilter of_here;
+  of_here.accepts = [&](BodyId local) { return copy(local).lives_here; };
+  return ask_ranks<std::vector<GlobalId>>(
+      shapes,
+      [&](const SceneInstance& shape, const Aabb& box, const std::vector<GlobalId>&) {
+        return least_gap(box_of(shape), box) <= distance;
+      },
+      [&](const SceneInstance& shape) {
+        std::vector<GlobalId> ids;
+        for (const BodyId local : queries_.within(shape, distance, of_here)) ids.push_back(copy(local).id);
+        std::sort(ids.begin(), ids.end());
+        return ids;
+      },
+      merge_ids);
+}
+
+std::vector<std::optional<GlobalAnswer<Distance>>> DistributedWorld::State::nearest_each(
+    std::span<const SceneInstance> shapes, double max_distance) {
+  using Answer = FirstOf<Distance>;
+  return ask_ranks<Answer>(
+      shapes,
+      [&](const SceneInstance& shape, const Aabb& box, const Answer& known) {
+        const double limit = known ? std::min(max_distance, known->upper) : max_distance;
+        return least_gap(box_of(shape), box) <= limit;
+      },
+      [&](const SceneInstance& shape) {
+        return first_here<Distance>([&](const BodyFilter& filter, double upper) {
+          return queries_.nearest(shape, std::min(upper, max_distance), filter);
+        });
+      },
+      keep_first_of<Distance>);
+}
+
+}  // namespace toccata

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iterator>
+
+#include "distributed/distributed_state.hpp"
+#include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/error.hpp"
+#include "world/narrow_phase.hpp"
+
+namespace toccata {
+namespace {
+
+using PairOfIds = std::pair<GlobalId, GlobalId>;
+
+PairOfIds ids_of(const GlobalPairReport& report) { return {report.a, report.b}; }
+
+bool is_of_lesser_ids(const LocalPair& a, const LocalPair& b) { return ids_of(a.report) < ids_of(b.report); }
+
+}  // namespace
+
+/// Of the part of space that has the lower corner of what the two boxes, as far as the bodies reach, have in common.
+/// That point is in both boxes, so the rank has both bodies; and it is in one part alone.
+int DistributedWorld::State::teller_of(BodyId a, BodyId b) const {
+  const Aabb &first = world_.broad_phase().box(a.index), &second = world_.broad_phase().box(b.index);
+  return space_.part_of({std::max(first.lower.x, second.lower.x), std::max(first.lower.y, second.lower.y),
+                         std::max(first.lower.z, second.lower.z)});
+}
+
+std::vector<LocalPair> DistributedWorld::State::found_pairs() const {
+  std::vector<LocalPair> found;
+  found.reserve(world_.pairs().size());
+  for (const PairReport& pair : world_.pairs()) {
+    const auto [a, b] = std::minmax(copy(pair.a).id, copy(pair.b).id);
+    found.push_back({{a, b, pair.in_contact}, teller_of(pair.a, pair.b)});
+  }
+  std::sort(found.begin(), found.end(), is_of_lesser_ids);
+  return found;
+}
+
+/// As a World tells them of (a, b), whichever of the two has the lesser index here.
+void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) const {
+  if (!tells_details(options_.world)) return;
+  std::vector<Body> bodies;
+  std::vector<UndecidedPair> undecided;
+  std::vector<DecidedPair> decided;
+  for (const GlobalPairReport& pair : pairs) {
+    const BodyId a = local_.at(pair.a), b = local_.at(pair.b);
+    const auto first = static_cast<Index>(bodies.size());
+    bodies.push_back(world_.body(a));
+    bodies.push_back(world_.body(b));
+    undecided.push_back({decided.size(), world_.pair_margin(a, b).value_or(0)});
+    decided.push_back({{first, first + 1}});
+  }
+  NarrowPhase(options_.world).decide(bodies, {}, undecided, decided);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].details = decided[i].details;
+}
+
+void DistributedWorld::State::tell() {
+  const std::vector<LocalPair> found = found_pairs();
+  std::vector<GlobalPairReport> now;
+  for (const LocalPair& pair : found)
+    if (pair.teller == ranks_.rank()) now.push_back(pair.report);
+  add_details(now);
+
+  // What this rank told before and another tells now: that rank is told that it goes on. The bodies are both still
+  // here, as what goes elsewhere is given up only after this.
+  Letters letters;
+  std::vector<GlobalPairReport> ended;
+  std::vector<PairOfIds> before;
+  for (const GlobalPairReport& told : told_) {
+    const auto at = std::lower_bound(found.begin(), found.end(), LocalPair{told}, is_of_lesser_ids);
+    const bool is_found = at != found.end() && ids_of(at->report) == ids_of(told);
+    if (!is_found || removed_.contains(told.a) || removed_.contains(told.b))
+      ended.push_back(told);
+    else if (at->teller == ranks_.rank())
+      before.push_back(ids_of(told));
+    else
+      letters[at->teller].put(std::array{told.a, told.b});
+  }
+  for (const Received& received : ranks_.exchange(letters))
+    for (MessageReader reader(received.bytes); !reader.is_at_end();) {
+      const auto [a, b] = reader.get<std::array<GlobalId, 2>>();
+      before.emplace_back(a, b);
+    }
+  std::sort(before.begin(), before.end());
+
+  last_.begin.clear();
+  last_.persist.clear();
+  for (const GlobalPairReport& report : now)
+    (std::binary_search(before.begin(), before.end(), ids_of(report)) ? last_.persist : last_.begin).push_back(report);
+  last_.end = std::move(ended);
+  told_ = std::move(now);
+}
+
+const DistributedStep& DistributedWorld::State::step() {
+  WantedChanges changes = std::exchange(wanted, {});
+  if (!broken_.empty()) throw Error(broken_);
+  check(changes);
+  const std::uint64_t sent_before = ranks_.bytes_sent();
+  last_.costs.came = 0;
+  try {
+    Letters letters;
+    apply(changes, letters);
+    divide(changes);
+    send_where_they_belong(changes, letters);
+    receive(ranks_.exchange(letters));
+    ranks_.all_do([&] {
+      world_.step();
+      return false;
+    });
+    tell();
+  } catch (const std::exception& error) {
+    broken_ = std::string("no more steps are possible after this one failed: ") + error.what();
+    throw;
+  }
+  count_costs();
+  give_up_what_left();
+  const auto live_here = std::count_if(copies_.begin(), copies_.end(), [](const Copy& one) { return one.lives_here; });
+  last_.costs.bodies = static_cast<std::size_t>(live_here);
+  last_.costs.ghosts = world_.size() - last_.costs.bodies;
+  last_.costs.bytes_sent = ranks_.bytes_sent() - sent_before;
+  return last_;
+}
+
+}  // namespace toccata
