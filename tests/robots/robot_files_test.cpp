@@ -80,15 +80,15 @@ TEST_F(UrdfFile, HasTheShapesAndJointsThatItTells) {
   EXPECT_EQ(robot.name(), "small");
   ASSERT_EQ(robot.bodies().size(), 4U);
   EXPECT_EQ(robot.bodies()[0].pose, Pose::translation(0, 0, 0.5));
-  EXPECT_EQ(std::get<Box>(robot.bodies()[0].model.shape()).half_extents(), Vec3(0.1, 0.2, 0.5));
+  EXPECT_EQ(std::get<Box>(robot.bodies()[0].model.shape()).half_extents(), (Vec3{0.1, 0.2, 0.5}));
   EXPECT_EQ(robot.bodies()[1].name, "base, knob");
   EXPECT_EQ(std::get<Cylinder>(robot.bodies()[2].model.shape()).half_height(), 1);
-  EXPECT_EQ(robot.bodies()[3].pose.linear[0], Vec3(0.5, 0, 0));
+  EXPECT_EQ(robot.bodies()[3].pose.linear[0], (Vec3{0.5, 0, 0}));
   ASSERT_EQ(robot.positions().size(), 1U);
   EXPECT_EQ(robot.positions()[0].limits, (JointLimits{-1, 2}));
   // At 0 the arm's axis lies along x, and the hand slides along it by 0.2.
   const std::vector<Pose> poses = robot.link_poses(std::vector<double>{0});
-  EXPECT_LT(length(poses[robot.link_of("hand")] * Vec3() - Vec3(0.2, 0, 1)), 1e-15);
+  EXPECT_LT(length(poses[robot.link_of("hand")] * Vec3() - (Vec3{0.2, 0, 1})), 1e-15);
   ASSERT_EQ(file.warnings.size(), 1U);
   EXPECT_TRUE(tells(file.warnings[0], "link 'lamp' has a picture and no collision shape"));
 }

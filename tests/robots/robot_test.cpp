@@ -65,9 +65,9 @@ TEST(Robot, LinksAreWhereTheirJointsPutThem) {
   EXPECT_FALSE(robot.positions()[2].turns);
   const std::vector<Pose> poses = robot.link_poses(std::vector<double>{right_angle, -right_angle, 0.5});
   // Quarter turns are exact.
-  EXPECT_EQ(poses[robot.link_of("upper")] * Vec3(1, 0, 0), Vec3(0, 1, 0));
-  EXPECT_EQ(poses[robot.link_of("lower")] * Vec3(), Vec3(0, 1, 0));
-  EXPECT_EQ(poses[robot.link_of("tip")] * Vec3(), Vec3(1.5, 1, 0));
+  EXPECT_EQ(poses[robot.link_of("upper")] * (Vec3{1, 0, 0}), (Vec3{0, 1, 0}));
+  EXPECT_EQ(poses[robot.link_of("lower")] * Vec3(), (Vec3{0, 1, 0}));
+  EXPECT_EQ(poses[robot.link_of("tip")] * Vec3(), (Vec3{1.5, 1, 0}));
 }
 
 TEST(Robot, AnyArmIsWhereLongDoublesSayItIs) {
@@ -114,10 +114,10 @@ TEST(Robot, PlanarAndFloatingJointsAreSeveralPositions) {
                                              "fly/pitch", "fly/yaw"}));
   const std::vector<Pose> poses =
       robot.link_poses(std::vector<double>{2, 3, right_angle, 1, 0, 5, right_angle, 0, right_angle});
-  EXPECT_EQ(poses[1] * Vec3(1, 0, 0), Vec3(2, 4, 0));
-  EXPECT_EQ(poses[2] * Vec3(), Vec3(2, 4, 5));
+  EXPECT_EQ(poses[1] * (Vec3{1, 0, 0}), (Vec3{2, 4, 0}));
+  EXPECT_EQ(poses[2] * Vec3(), (Vec3{2, 4, 5}));
   // It rolls about its fixed x axis first: y goes to z, and then about z, which leaves it.
-  EXPECT_EQ(poses[2].linear * Vec3(0, 1, 0), Vec3(0, 0, 1));
+  EXPECT_EQ(poses[2].linear * (Vec3{0, 1, 0}), (Vec3{0, 0, 1}));
 }
 
 TEST(Robot, WhatMimicsFollows) {
@@ -216,7 +216,7 @@ TEST(Robot, AttachedObjectsMoveWithTheirLink) {
   EXPECT_EQ(robot.links().size(), 4U);
   ASSERT_EQ(holding.links().size(), 5U);
   const std::vector<double> configuration{right_angle, 0, 1};
-  EXPECT_EQ(holding.link_poses(configuration)[4] * Vec3(), Vec3(0, 3.25, 0));
+  EXPECT_EQ(holding.link_poses(configuration)[4] * Vec3(), (Vec3{0, 3.25, 0}));
   EXPECT_EQ(holding.touching_attachments().size(), 2U);
   EXPECT_NE(message_of([&] {
               static_cast<void>(robot.with_attached({{"cup", {}}, "tap", {}, {}}));
