@@ -119,7 +119,7 @@ def test_no_call_keeps_a_reference(knot):
         ask()
     gc.collect()
     before = [sys.getrefcount(thing) for thing in watched]
-    for ask in itertools.chain.from_iterable(itertools.repeat(asks, 20)):
+    for ask in itertools.chain.from_iterable(itertools.repeat(asks, max(5, in_slices(20)))):
         ask()
     gc.collect()
     after = [sys.getrefcount(thing) for thing in watched]
