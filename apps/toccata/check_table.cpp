@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "finding_words.hpp"
 #include "table_names.hpp"
 #include "toccata/query/pairs.hpp"
 #include "toccata/reports/report.hpp"

@@ -117,10 +117,6 @@ std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
                      pair.winding ? winding_text(*pair.winding) : remark_on(pair.relation));
 }
 
-std::string winding_text(const WindingNumber& winding) {
-  return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
-}
-
 std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline) {
   std::vector<std::string> details;
   if (const std::optional<Place> place = told_place(scene, pair)) details.push_back(place->words);

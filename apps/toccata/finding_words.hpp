@@ -18,9 +18,6 @@ namespace toccata::command {
 /// written out.
 [[nodiscard]] std::string sentence_of(const Scene& scene, const ReportedPair& pair);
 
-/// Of a pair that is decided so, in place of what both are taken for.
-[[nodiscard]] std::string winding_text(const WindingNumber& winding);
-
 /// What is told of a pair besides, a line each: where it is, as "the surfaces meet within the box from … to …" or "the
 /// deepest points are … and …", and how it stands against a baseline.
 [[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);

@@ -59,6 +59,10 @@ std::string depth_text(const Penetration& penetration, DepthEnd end) {
   return text;
 }
 
+std::string winding_text(const WindingNumber& winding) {
+  return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
+}
+
 std::string length_text(double length, const std::string& unit) {
   if (std::isinf(length)) return "all";
   if (unit == "unit") return fmt::format("{:.12g}", length);

@@ -18,7 +18,7 @@ namespace {
 
 using Pairs = std::vector<ItemPair>;
 
-Shape random_part(Random& random) {
+Shape random_shape_of_part(Random& random) {
   switch (random.below(4)) {
     case 0:
       return Sphere(random.between(0.01, 0.2));
@@ -34,7 +34,7 @@ Shape random_part(Random& random) {
 Compound random_compound(std::size_t count, double size, Random& random) {
   std::vector<CompoundPart> parts;
   for (std::size_t i = 0; i < count; ++i)
-    parts.push_back({random_part(random), {test::random_rotation(random), test::random_vector(random, size)}});
+    parts.push_back({random_shape_of_part(random), {test::random_rotation(random), test::random_vector(random, size)}});
   // One in a while has no end.
   if (count > 1 && random.below(4) == 0) parts.back() = {HalfSpace({0, 0, -1.2 * size}, {0, 0, 1}), Pose{}};
   return Compound(parts);

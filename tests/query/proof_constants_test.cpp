@@ -18,6 +18,7 @@
 #include "query/inside/enclose.hpp"
 #include "query/nearest/nearest_elements.hpp"
 #include "query/penetration/separating_search.hpp"
+#include "query/penetration/whole_bodies.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/faces_in_region.hpp"
@@ -215,7 +216,8 @@ TEST(ProofConstants, ATranslationAfterWhichOnlyRoundingPartsIsNotTaken) {
   const Model box(Box({1, 1, 1}));
   const PosedModel a = pose_model(box, {}, Solid::automatic, "a"),
                    b = pose_model(box, Pose::translation(1, 0, 0), Solid::automatic, "b");
-  SolidBody body_a(a), body_b(b);
+  WholeBodies wholes;
+  SolidBody body_a(a, wholes), body_b(b, wholes);
   const SeparatingQuestions questions{[](const Vec3& move) { return dot(move, move) < 2.25 ? 0x1p-50 : 1.0; },
                                       [](const Vec3&) { return std::vector<SurfaceIntersection>(); }};
   const DepthLimit limit(DepthOptions{});
