@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "crowd_run.hpp"
+#include "number_checks.hpp"
 #include "partition_race.hpp"
 #include "run_ranks.hpp"
 #include "toccata/generate/crowds.hpp"
@@ -72,17 +74,18 @@ int main_of(int count, char** words) {
   CLI::App app("What steps of crowds cost on the ranks of mpirun, and how their space is divided.");
   std::vector<std::string> all;
   for (const NamedScene& scene : crowd_scenes()) all.push_back(scene.name);
-  const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{4'000'000'000});
+  const auto positive = whole_number(1, 4'000'000'000);
   app.add_option("--count", arguments.crowd.count, "boxes of all ranks together")
-      ->check(positive)
+      ->check(whole_number(100, 4'000'000'000))
       ->capture_default_str();
   app.add_option("--frames", arguments.crowd.frames, "the median of their times is told")
       ->check(positive)
       ->capture_default_str();
   app.add_option("--scene", arguments.scenes, "one or more; all, if none is named")->check(CLI::IsMember(all));
   app.add_option("--threads", arguments.crowd.threads, "of each rank; 0: all that the machine has")
+      ->check(whole_number(0, 1024))
       ->capture_default_str();
-  CLI11_PARSE(app, count, words);
+  if (const std::optional<int> code = end_by_words(app, count, words)) return *code;
   if (arguments.scenes.empty()) arguments.scenes = all;
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -6,12 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "free_names.hpp"
+#include "number_checks.hpp"
 #include "run_ranks.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/distributed.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/reports/scene_question.hpp"
@@ -72,6 +75,9 @@ void print_costs(const DistributedCheckCosts& own) {
 int check(const Arguments& arguments) {
   DistributedScene scene({MPI_Comm_c2f(MPI_COMM_WORLD)}, arguments.files.size(),
                          [&](std::size_t part) { return read_part(arguments.files[part], arguments); });
+  if (scene.model_count() < 2)
+    throw Error(fmt::format("{} in all; a check needs two: name another file or a scene with more objects",
+                            scene.model_count() == 1 ? "there is one object" : "there are no objects"));
   CheckOptions options;
   options.threads = arguments.threads;
   options.penetration = arguments.penetration;
@@ -101,7 +107,7 @@ int main_of(int count, char** words) {
       "of mpirun reads the files that its pairs are in, and no other.");
   app.add_option("files", arguments.files, "meshes or scenes, two or more objects together")->required();
   app.add_option("--clearance", arguments.clearance, "also which are nearer to each other than this, in world units")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from(0));
   app.add_flag("--penetration", arguments.penetration, "how deep solids overlap");
   app.add_flag("--volume", arguments.volume, "how much volume solids have in common");
   app.add_option("--touching", arguments.touching, "whether pairs that merely touch are told")
@@ -110,10 +116,12 @@ int main_of(int count, char** words) {
   app.add_option("--solid", arguments.solid, "auto: watertight meshes are solids; all, none")
       ->check(CLI::IsMember({"auto", "all", "none"}))
       ->capture_default_str();
-  app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")->capture_default_str();
+  app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")
+      ->check(whole_number(0, 1024))
+      ->capture_default_str();
   app.add_flag("--costs", arguments.costs, "what each rank had to read and to decide, on the standard error");
   app.footer("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.");
-  CLI11_PARSE(app, count, words);
+  if (const std::optional<int> code = end_by_words(app, count, words)) return *code;
   return check(arguments);
 }
 

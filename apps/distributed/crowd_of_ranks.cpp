@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "crowd_run.hpp"
+#include "number_checks.hpp"
 #include "run_ranks.hpp"
 #include "toccata/generate/crowds.hpp"
 
@@ -39,7 +41,7 @@ int main_of(int count, char** words) {
   CLI::App app("Boxes that move, divided over the ranks of mpirun: what a step takes, ghosts, and bytes sent.");
   std::vector<std::string> scenes;
   for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
-  const auto positive = CLI::Range(std::uint64_t{1}, std::uint64_t{4'000'000'000});
+  const auto positive = whole_number(1, 4'000'000'000);
   app.add_option("--count", arguments.count, "boxes of all ranks together")->check(positive)->capture_default_str();
   app.add_option("--frames", arguments.frames, "the median of their times is told")
       ->check(positive)
@@ -48,8 +50,10 @@ int main_of(int count, char** words) {
       ->check(CLI::IsMember(scenes))
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
-  app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")->capture_default_str();
-  CLI11_PARSE(app, count, words);
+  app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")
+      ->check(whole_number(0, 1024))
+      ->capture_default_str();
+  if (const std::optional<int> code = end_by_words(app, count, words)) return *code;
   const std::vector<Row> rows = costs_of_ranks(arguments);
   if (!rows.empty()) print_table(arguments, rows);
   return 0;

@@ -4,28 +4,51 @@
 #include <mpi.h>
 
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <thread>
 
 namespace toccata {
 
+namespace {
+
+constexpr int trouble = 2;
+
+int this_rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+
+}  // namespace
+
+std::optional<int> end_by_words(CLI::App& app, int count, char** words) {
+  try {
+    app.parse(count, words);
+    return std::nullopt;
+  } catch (const CLI::ParseError& end) {
+    if (this_rank() == 0) app.exit(end);
+    return end.get_exit_code() == 0 ? 0 : trouble;
+  }
+}
+
 int run_ranks(int count, char** words, const char* program, const std::function<int()>& work) {
-  constexpr int trouble = 2;
   int provided = 0;
   MPI_Init_thread(&count, &words, MPI_THREAD_FUNNELED, &provided);
   int code = trouble;
   try {
     code = work();
   } catch (const std::exception& error) {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     // Mostly all ranks have the same to say. Who ends first ends all of them, so the others let rank 0 speak.
-    if (rank != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
+    if (this_rank() != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
     fmt::print(stderr, "{}: {}\n", program, error.what());
     MPI_Abort(MPI_COMM_WORLD, trouble);
   }
+  // mpirun ends those that are late once one has ended with another code than 0.
+  std::fflush(stdout);
+  const int own_code = this_rank() == 0 ? code : 0;
   MPI_Finalize();
-  return code;
+  return own_code;
 }
 
 }  // namespace toccata

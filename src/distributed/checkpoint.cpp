@@ -99,6 +99,7 @@ Bytes DistributedWorld::State::bytes_of_bodies() const {
 void DistributedWorld::State::save(const std::filesystem::path& folder) {
   Bytes own;
   ranks_.all_do([&] {
+    require_whole();
     if (!wanted.is_empty()) throw Error("changes are noted that no step has made yet: call step before save");
     if (ranks_.rank() == 0) require_new(folder);
     own = bytes_of_bodies();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "distributed/space_of_ranks.hpp"
 #include "query/posed_shape.hpp"
 #include "query/scenes/check_wanted.hpp"
+#include "query/scenes/clearances.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "toccata/broad/box_bvh.hpp"
 #include "toccata/core/error.hpp"
@@ -37,10 +39,10 @@ class DistributedScene::State {
   }
 
   CheckAnswer check(const CheckOptions& options) {
-    require_pairs(options);
+    const Clearances asked = clearances(options);
     WantedAnswer found;
     ranks_.all_do([&] {
-      found = decide(options);
+      found = decide(options, asked);
       return false;
     });
     costs_.candidates = found.answer.candidate_pairs;
@@ -124,19 +126,11 @@ class DistributedScene::State {
     return decider_of(models_[a].part, models_[b].part) == ranks_.rank();
   }
 
-  /// Here and not where the pair is decided, so that all ranks throw the same.
-  void require_pairs(const CheckOptions& options) const {
-    for (const PairClearance& pair : options.pair_clearances) {
-      if (pair.a >= models_.size() || pair.b >= models_.size() || pair.a == pair.b)
-        throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
-                                pair.a, pair.b, models_.size()));
-      const KnownModel &a = models_[pair.a], &b = models_[pair.b];
-      if (!a.group.empty() && a.group == b.group)
-        throw Error(
-            fmt::format("a clearance is asked for {} and {}, which are not checked against each other: both "
-                        "are in the group \"{}\"",
-                        a.name, b.name, a.group));
-    }
+  /// What is wrong with them is found here, on all ranks alike, and not where a pair is decided.
+  [[nodiscard]] Clearances clearances(const CheckOptions& options) const {
+    return {{models_.size(), [&](std::size_t i) { return name_for_messages(models_[i].name, i); },
+             [&](std::size_t i) -> std::string_view { return models_[i].group; }},
+            options};
   }
 
   [[nodiscard]] bool are_near(const PairClearance& pair) const {
@@ -164,7 +158,7 @@ class DistributedScene::State {
   }
 
   /// Of the pairs that are decided here; their numbers are those of all models.
-  [[nodiscard]] WantedAnswer decide(const CheckOptions& options) {
+  [[nodiscard]] WantedAnswer decide(const CheckOptions& options, const Clearances& asked) {
     CheckOptions own = options;
     std::erase_if(own.pair_clearances,
                   [&](const PairClearance& pair) { return !is_decided_here(pair.a, pair.b) || !are_near(pair); });
@@ -190,14 +184,9 @@ class DistributedScene::State {
       return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), model) - numbers.begin());
     };
     for (PairClearance& pair : own.pair_clearances) pair = {local(pair.a), local(pair.b), pair.clearance};
-    const std::set<std::pair<Index, Index>> with_own_clearance = [&] {
-      std::set<std::pair<Index, Index>> pairs;
-      for (const PairClearance& pair : options.pair_clearances) pairs.insert(std::minmax(pair.a, pair.b));
-      return pairs;
-    }();
     WantedAnswer found = check_wanted(models, own, [&](const IndexPair& pair) {
       const Index a = numbers[pair.first], b = numbers[pair.second];
-      return is_decided_here(a, b) && !with_own_clearance.contains({a, b});
+      return is_decided_here(a, b) && !asked.of_pairs().contains({a, b});
     });
     for (PairAnswer& pair : found.answer.pairs) {
       pair.a = numbers[pair.a];

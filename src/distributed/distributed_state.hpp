@@ -188,9 +188,13 @@ class DistributedWorld::State {
   [[nodiscard]] Aabb reached_box(BodyId local) const;
   [[nodiscard]] std::vector<int> ranks_reached_by(const Aabb& reached, int home) const;
 
+  /// Throws Error where a step has failed: what it has done and what not, nobody knows.
+  void require_whole() const;
+
   // Pairs are told by one rank each (pair_tellers.cpp).
   void find_pairs();
-  void tell();
+  /// What each rank found, and what this one tells of it.
+  void tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now);
   [[nodiscard]] bool was_told(BodyId a, BodyId b) const;
   [[nodiscard]] std::vector<LocalPair> found_pairs() const;
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
@@ -231,7 +235,7 @@ class DistributedWorld::State {
   std::vector<GlobalPairReport> told_;
   DistributedStep last_;
   double imbalance_left_ = 1;  ///< when space was divided last
-  std::string broken_;         ///< why no more steps are possible
+  std::string broken_;         ///< why nothing more can be asked
 };
 
 /// What messages call it.

@@ -151,7 +151,11 @@ constexpr const char* noun_of = std::is_same_v<Question, Ray> ? "ray" : "shape";
 template <class Answer, class Question, class MayKnow, class AnswerOne, class Merge>
 std::vector<Answer> DistributedWorld::State::ask_ranks(std::span<const Question> questions, const MayKnow& may_know,
                                                        const AnswerOne& answer, const Merge& merge) {
-  queries_.update();
+  ranks_.all_do([&] {
+    require_whole();
+    queries_.update();
+    return false;
+  });
   const std::vector<Aabb> boxes = boxes_of_ranks();
   std::vector<Answer> answers(questions.size());
   Letters letters;

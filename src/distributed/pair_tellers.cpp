@@ -82,13 +82,7 @@ void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) con
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i]->details = decided[i].details;
 }
 
-void DistributedWorld::State::tell() {
-  const std::vector<LocalPair> found = found_pairs();
-  std::vector<GlobalPairReport> now;
-  for (const LocalPair& pair : found)
-    if (pair.teller == ranks_.rank()) now.push_back(pair.report);
-  add_details(now);
-
+void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now) {
   // What this rank told before and another tells now: that rank is told that it goes on. The bodies are both still
   // here, as what goes elsewhere is given up only after this.
   Letters letters;
@@ -119,9 +113,13 @@ void DistributedWorld::State::tell() {
   told_ = std::move(now);
 }
 
+void DistributedWorld::State::require_whole() const {
+  if (!broken_.empty()) throw Error(broken_);
+}
+
 const DistributedStep& DistributedWorld::State::step() {
   WantedChanges changes = std::exchange(wanted, {});
-  if (!broken_.empty()) throw Error(broken_);
+  require_whole();
   check(changes);
   const std::uint64_t sent_before = ranks_.bytes_sent();
   last_.costs.came = 0;
@@ -141,12 +139,20 @@ const DistributedStep& DistributedWorld::State::step() {
       receive(changes, received);
       find_pairs();
     });
-    tell();
+    std::vector<LocalPair> found;
+    std::vector<GlobalPairReport> now;
+    all_do([&] {
+      found = found_pairs();
+      for (const LocalPair& pair : found)
+        if (pair.teller == ranks_.rank()) now.push_back(pair.report);
+      add_details(now);
+    });
+    tell(found, std::move(now));
     arrive();
     count_costs();
     give_up_what_left();
   } catch (const std::exception& error) {
-    broken_ = std::string("no more steps are possible after this one failed: ") + error.what();
+    broken_ = std::string("nothing more can be asked of bodies whose step failed: ") + error.what();
     throw;
   }
   const auto live_here = std::count_if(copies_.begin(), copies_.end(), [](const Copy& one) { return one.lives_here; });

@@ -75,7 +75,8 @@ double radius_around(const TurnedBox& box) {
   double squared = 0;
   for (const Vec3& edge : box.edges) squared += dot(edge, edge);
   // Edges that are not at right angles reach at most √3 times as far.
-  return (is_right_angled(box) ? 1 + 0x1p-20 : 1.7320509) * std::sqrt(squared) + box.slack;
+  // Squares of edges below 2⁻⁵³⁷ vanish.
+  return (is_right_angled(box) ? 1 + 0x1p-20 : 1.7320509) * std::sqrt(squared) + box.slack + 0x1p-530;
 }
 
 Aabb box_around(const TurnedBox& box) {

@@ -29,6 +29,7 @@ std::vector<AllowedPair> read_srdf(const std::string& path, const Robot&) { thro
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
@@ -73,11 +74,22 @@ class UrdfdomComplaints : public console_bridge::OutputHandler {
   std::string first_;
 };
 
-/// With a mark of the order of its bytes, or one of the first two is 0, as of "<" in it.
-bool is_utf_16(std::string_view text) {
-  if (text.size() < 2) return false;
-  const bool is_marked = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-  return is_marked || text[0] == '\0' || text[1] == '\0';
+/// What iconv calls an encoding of more bytes a character: by the mark of their order, or by the "<" that XML begins
+/// with. Empty for any other.
+std::string_view wide_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  // The longer ones begin as the shorter ones do.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> beginnings{{{"\xff\xfe\0\0"sv, "UTF-32"},
+                                                                                     {"\0\0\xfe\xff"sv, "UTF-32"},
+                                                                                     {"<\0\0\0"sv, "UTF-32LE"},
+                                                                                     {"\0\0\0<"sv, "UTF-32BE"},
+                                                                                     {"\xff\xfe"sv, "UTF-16"},
+                                                                                     {"\xfe\xff"sv, "UTF-16"},
+                                                                                     {"<\0"sv, "UTF-16LE"},
+                                                                                     {"\0<"sv, "UTF-16BE"}}};
+  for (const auto& [beginning, name] : beginnings)
+    if (text.starts_with(beginning)) return name;
+  return {};
 }
 
 /// Where a comment begins that does not end; else npos.
@@ -96,11 +108,13 @@ class RobotXml {
   explicit RobotXml(const std::string& path) : path_(path) {
     const io::FileBytes bytes = io::read_file(path);
     text_.assign(bytes.span().begin(), bytes.span().end());
-    if (is_utf_16(text_))
-      throw Error(path + ": it is written in UTF-16, and UTF-8 is read; convert it (iconv -f UTF-16 -t UTF-8)");
+    if (const std::string_view encoding = wide_encoding(text_); !encoding.empty())
+      throw Error(fmt::format("{}: it is written in {}, and UTF-8 is read; convert it (iconv -f {} -t UTF-8)", path,
+                              encoding, encoding));
     document_.Parse(text_.c_str());
     if (document_.Error()) throw Error(path + fault_of_xml());
     const TiXmlElement* root = document_.RootElement();
+    if (root == nullptr && open_comment(text_) != std::string::npos) throw Error(path + fault_of_comment());
     if (root == nullptr || root->ValueStr() != "robot")
       throw Error(fmt::format("{}: its root element is {}, and that of a robot is <robot>", path,
                               root == nullptr ? "missing" : "<" + root->ValueStr() + ">"));
@@ -143,14 +157,18 @@ class RobotXml {
   }
 
  private:
+  [[nodiscard]] std::string fault_of_comment() const {
+    const auto begin = static_cast<std::ptrdiff_t>(open_comment(text_));
+    return fmt::format(":{}: the comment that begins here is not closed by -->",
+                       1 + std::count(text_.begin(), text_.begin() + begin, '\n'));
+  }
+
   /// What follows the path: the line, and what is wrong. TinyXML tells line 0 of what goes wrong where the text ends.
   [[nodiscard]] std::string fault_of_xml() const {
     if (document_.ErrorId() == TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY) return ": this is no XML: no element is in it";
     if (document_.ErrorRow() > 0)
       return fmt::format(":{}: this is no XML: {}", document_.ErrorRow(), document_.ErrorDesc());
-    if (const std::size_t at = open_comment(text_); at != std::string::npos)
-      return fmt::format(":{}: the comment that begins here is not closed by -->",
-                         1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    if (open_comment(text_) != std::string::npos) return fault_of_comment();
     const auto lines = 1 + std::count(text_.begin(), text_.end(), '\n') - (text_.ends_with('\n') ? 1 : 0);
     return fmt::format(":{}: the XML ends here, and an element is still open; export it again", lines);
   }

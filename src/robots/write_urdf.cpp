@@ -19,7 +19,7 @@ std::string urdf_words(std::string_view text) {
   for (const char c : text) {
     const bool is_blank = c == '\t' || c == '\n' || c == '\r';
     if (static_cast<unsigned char>(c) < ' ' && !is_blank)
-      throw Error(fmt::format("the name '{}' has the character {}, which XML cannot hold; give it another name",
+      throw Error(fmt::format("a name, '{}' up to there, has the character {}, which XML cannot hold; give it another",
                               escaped, static_cast<int>(c)));
     switch (c) {
       case '&':

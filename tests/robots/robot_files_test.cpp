@@ -220,15 +220,28 @@ TEST_F(UrdfFile, FaultsOfTheXmlAreToldByTheirLine) {
                     "robot.urdf:3: the XML ends here, and an element is still open"));
   EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"><!-- c --><!--\n</link></robot>\n"),
                     "robot.urdf:2: the comment that begins here is not closed by -->"));
+  EXPECT_TRUE(tells(fault("<!-- a -->\n<!-- b\n<robot name=\"a\"/>\n"),
+                    "robot.urdf:2: the comment that begins here is not closed by -->"));
   EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</link>\n"), "robot.urdf:3: this is no XML"));
 }
 
-TEST_F(UrdfFile, OneInUtf16IsToldAsSuch) {
-  std::string wide;
-  for (const char c : std::string("<robot name=\"a\"/>")) wide += {c, '\0'};
-  for (const std::string& text : {wide, "\xff\xfe" + wide, "\xfe\xff" + std::string(1, '\0') + wide})
-    EXPECT_TRUE(tells(message_of([&] { static_cast<void>(read(text)); }),
-                      "robot.urdf: it is written in UTF-16, and UTF-8 is read; convert it"));
+TEST_F(UrdfFile, OneOfWiderCharactersIsToldAsSuch) {
+  std::string wide, wider;
+  for (const char c : std::string("<robot name=\"a\"/>")) {
+    wide += {c, '\0'};
+    wider += {c, '\0', '\0', '\0'};
+  }
+  const std::string zero(1, '\0');
+  const std::vector<std::pair<std::string, std::string>> texts{{wide, "UTF-16LE"},
+                                                               {zero + wide, "UTF-16BE"},
+                                                               {"\xff\xfe" + wide, "UTF-16"},
+                                                               {"\xfe\xff" + zero + wide, "UTF-16"},
+                                                               {wider, "UTF-32LE"},
+                                                               {"\xff\xfe" + zero + zero + wider, "UTF-32"}};
+  for (const auto& [text, encoding] : texts)
+    EXPECT_TRUE(tells(
+        message_of([&] { static_cast<void>(read(text)); }),
+        "robot.urdf: it is written in " + encoding + ", and UTF-8 is read; convert it (iconv -f " + encoding + " "));
 }
 
 TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {

@@ -1,6 +1,8 @@
 // World::step with a filter: the pairs that are wanted, and no others.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,9 +13,11 @@
 namespace toccata::test {
 namespace {
 
-std::vector<std::pair<BodyId, BodyId>> pairs_of(const World& world) {
-  std::vector<std::pair<BodyId, BodyId>> pairs;
-  for (const PairReport& pair : world.pairs()) pairs.emplace_back(pair.a, pair.b);
+using Pairs = std::vector<std::pair<BodyId, BodyId>>;
+
+Pairs pairs_of(std::span<const PairReport> reports) {
+  Pairs pairs;
+  for (const PairReport& pair : reports) pairs.emplace_back(pair.a, pair.b);
   return pairs;
 }
 
@@ -26,6 +30,7 @@ TEST(WantedPairs, AreToldAsByAStepOfAll) {
   for (int i = 0; i < 60; ++i) bodies.push_back(random_body("any", random));
   const std::vector<BodyId> ids = all.add(bodies);
   World some = all;
+  Pairs before;
   for (std::uint64_t frame = 0; frame < 20; ++frame) {
     const auto is_wanted = [&](BodyId a, BodyId b) { return (a.index + 3 * b.index + frame / 3) % 4 != 0; };
     const std::size_t candidates = all.step().candidates;
@@ -34,10 +39,16 @@ TEST(WantedPairs, AreToldAsByAStepOfAll) {
       return is_wanted(a, b);
     });
     EXPECT_LE(found.candidates, candidates);
-    std::vector<std::pair<BodyId, BodyId>> expected;
-    for (const auto& [a, b] : pairs_of(all))
+    Pairs expected;
+    for (const auto& [a, b] : pairs_of(all.pairs()))
       if (is_wanted(a, b)) expected.emplace_back(a, b);
-    EXPECT_EQ(pairs_of(some), expected) << frame;
+    EXPECT_EQ(pairs_of(some.pairs()), expected) << frame;
+    Pairs told = before;
+    std::erase_if(told, [&](const auto& pair) { return std::ranges::count(expected, pair) == 0; });
+    EXPECT_EQ(pairs_of(found.persist), told) << frame;
+    EXPECT_EQ(found.begin.size() + found.persist.size(), expected.size()) << frame;
+    EXPECT_EQ(found.end.size() + found.persist.size(), before.size()) << frame;
+    before = expected;
     for (const BodyId id : ids) {
       if (random.below(6) != 0) continue;
       const Pose to = random_place("any", random);

@@ -12,8 +12,8 @@
 
 namespace toccata {
 
-/// Reads a part of a scene, as a file: its models at their places. Called on the ranks that need the part, twice at
-/// least; it returns the same each time. What it throws is thrown on all ranks.
+/// Reads a part of a scene, as a file: its models at their places. Called once to look at the part, and
+/// again by each rank that needs it; it returns the same each time. What it throws is thrown on all ranks.
 using ReadPart = std::function<std::vector<SceneInstance>(std::size_t part)>;
 
 /// Of one rank, in the last check.

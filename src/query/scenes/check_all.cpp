@@ -35,63 +35,6 @@ namespace {
 // Pairs are looked at so many at once: memory follows the objects and the answer, not the pairs whose boxes overlap.
 constexpr std::size_t pairs_at_once = 4096;
 
-void require_length(double clearance) {
-  if (!(clearance >= 0)) throw Error(fmt::format("a clearance is {}; it has to be a length of 0 or more", clearance));
-}
-
-/// How near which pairs have to be to be told.
-class Clearances {
- public:
-  Clearances(std::span<const SceneInstance> models, const CheckOptions& options)
-      : is_asked_(options.clearance || !options.pair_clearances.empty()), common_(options.clearance.value_or(0)) {
-    require_length(common_);
-    for (const PairClearance& pair : options.pair_clearances) {
-      require_length(pair.clearance);
-      require_pair(models, pair);
-      const auto [place, is_new] = of_pair_.emplace(std::minmax(pair.a, pair.b), pair.clearance);
-      if (!is_new && place->second != pair.clearance)
-        throw Error(fmt::format("for {} two clearances are asked, {} and {}; a pair has one", names_of(models, pair),
-                                place->second, pair.clearance));
-    }
-  }
-
-  [[nodiscard]] bool is_asked() const { return is_asked_; }
-
-  /// Of all pairs that have none of their own.
-  [[nodiscard]] double common() const { return common_; }
-
-  /// Of those that have, by pairs in ascending order.
-  [[nodiscard]] const std::map<std::pair<Index, Index>, double>& of_pairs() const { return of_pair_; }
-
-  /// Of a pair in ascending order.
-  [[nodiscard]] double of(const IndexPair& pair) const {
-    const auto found = of_pair_.find({pair.first, pair.second});
-    return found == of_pair_.end() ? common_ : found->second;
-  }
-
- private:
-  static std::string names_of(std::span<const SceneInstance> models, const PairClearance& pair) {
-    const auto [first, second] = std::minmax(pair.a, pair.b);
-    return name_for_messages(models[first], first) + " and " + name_for_messages(models[second], second);
-  }
-
-  static void require_pair(std::span<const SceneInstance> models, const PairClearance& pair) {
-    if (pair.a >= models.size() || pair.b >= models.size() || pair.a == pair.b)
-      throw Error(fmt::format("a clearance is asked for models {} and {}, and there are two different ones of {}",
-                              pair.a, pair.b, models.size()));
-    const std::string& group = models[pair.a].group;
-    if (!group.empty() && group == models[pair.b].group)
-      throw Error(
-          fmt::format("a clearance is asked for {}, which are not checked against each other: both are in the "
-                      "group \"{}\"",
-                      names_of(models, pair), group));
-  }
-
-  bool is_asked_;
-  double common_;
-  std::map<std::pair<Index, Index>, double> of_pair_;
-};
-
 class Check {
  public:
   Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
@@ -101,7 +44,9 @@ class Check {
         wanted_(wanted),
         tolerances_(tolerances),
         watch_(watch),
-        clearances_(models, options),
+        clearances_({models.size(), [&](std::size_t i) { return name_for_messages(models[i], i); },
+                     [&](std::size_t i) -> std::string_view { return models[i].group; }},
+                    options),
         posed_(posed_model_pair()),
         groups_(group_numbers()) {}
 

@@ -7,9 +7,12 @@
 
 namespace toccata {
 
-/// What messages call the i-th of the posed models.
+/// What messages call the i-th of the models, whose name may be empty.
+[[nodiscard]] inline std::string name_for_messages(const std::string& name, std::size_t i) {
+  return name.empty() ? "object " + std::to_string(i) : "object \"" + name + "\"";
+}
 [[nodiscard]] inline std::string name_for_messages(const SceneInstance& posed, std::size_t i) {
-  return posed.name.empty() ? "object " + std::to_string(i) : "object \"" + posed.name + "\"";
+  return name_for_messages(posed.name, i);
 }
 
 }  // namespace toccata
