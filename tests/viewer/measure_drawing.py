@@ -156,7 +156,7 @@ def main():
         print(json.dumps({"schema": "toccata/bench/drawing/1", "mesh": arguments.mesh, "size": arguments.size, "runs": arguments.runs, "pages": results}, indent=1))
     else:
         print(f"{arguments.size[0]}x{arguments.size[1]}, median of {arguments.runs}, a fresh Chromium each, seconds")
-        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'processor':>13}{'picture':>11}{'least':>8}{'most':>8}{'processor':>13}")
+        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'of processor':>13}{'picture':>11}{'least':>8}{'most':>8}{'of processor':>13}")
         print("\n".join(map(row_of, results)))
     return 0 if all(result["both_seen"] for result in results) else 1
 

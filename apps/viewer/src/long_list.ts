@@ -26,6 +26,7 @@ export class LongList<T> {
       room.className = 'room';
       room.setAttribute('aria-hidden', 'true');
     }
+    list.tabIndex = -1;
     list.addEventListener('scroll', () => this.makeSeen());
     new ResizeObserver(() => this.makeSeen()).observe(list);
   }
@@ -108,6 +109,7 @@ export class LongList<T> {
     const { made, list, items } = this;
     for (const [i, row] of made)
       if (i < first || i >= end) {
+        if (row.contains(document.activeElement)) list.focus({ preventScroll: true }); // keys go on scrolling the list
         row.remove();
         made.delete(i);
       }

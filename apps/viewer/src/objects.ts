@@ -45,8 +45,17 @@ export interface Appearance {
 /// The same objects, as those that are shown and as ghosts.
 type Drawings = Record<'shown' | 'ghost', Drawing>;
 
-/// Where there are so many objects, those of so few triangles, and those whose mesh is of no other, are drawn together.
+/// Where there are so many objects, those of so few triangles, and those whose mesh is of no other and that never move, are
+/// drawn together.
 const joined = { triangles: 600, objects: 32, vertices: 4_000_000 };
+
+const isFew = (corners: number) => corners <= 3 * joined.triangles;
+
+function canBeJoined(groups: Member[][]): boolean {
+  const all = groups.flat();
+  const vertices = all.reduce((sum, { geometry }) => sum + geometry.getAttribute('position').count, 0);
+  return all.length >= joined.objects && vertices <= joined.vertices;
+}
 
 export class Objects {
   readonly group = new Group();
@@ -87,20 +96,19 @@ export class Objects {
     const crowds: Record<'smooth' | 'flat', Member[][]> = { smooth: [], flat: [] };
     header.meshes.forEach((mesh, i) => {
       if (mesh.triangles.count === 0) for (const { object, geometry } of members[i]) this.addThin(object, geometry);
-      else if (members[i].length === 1 || mesh.triangles.count <= 3 * joined.triangles) crowds[mesh.smooth ? 'smooth' : 'flat'].push(members[i]);
+      else if (isFew(mesh.triangles.count) || (members[i].length === 1 && !header.motion)) crowds[mesh.smooth ? 'smooth' : 'flat'].push(members[i]);
       else this.addCopies(members[i], mesh.smooth);
     });
     for (const kind of ['smooth', 'flat'] as const) this.addJoined(crowds[kind], kind === 'smooth');
   }
 
+  /// All of them together, or, where these are too large, the small ones.
   private addJoined(groups: Member[][], smooth: boolean): void {
-    const all = groups.flat();
-    const vertices = all.reduce((sum, { geometry }) => sum + geometry.getAttribute('position').count, 0);
-    if (all.length < joined.objects || vertices > joined.vertices) {
-      for (const group of groups) this.addCopies(group, smooth);
-      return;
-    }
-    const crowd = new Crowd(all, smooth);
+    const small = groups.filter(([{ geometry }]) => isFew(geometry.getIndex()!.count));
+    const together = new Set([groups, small].find(canBeJoined));
+    for (const group of groups) if (!together.has(group)) this.addCopies(group, smooth);
+    if (together.size === 0) return;
+    const crowd = new Crowd([...together].flat(), smooth);
     this.crowds.push(crowd);
     this.add({ shown: new CrowdPart(crowd, this.material(smooth, false)), ghost: new CrowdPart(crowd, this.material(smooth, true)) });
   }

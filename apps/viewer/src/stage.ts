@@ -157,7 +157,9 @@ export class Stage {
 
   /// What lies under a place of the page.
   hit(x: number, y: number): { object: number; point: Vector3 } | undefined {
-    return this.objects.hit(this.rayAt(x, y), (point) => !this.section || this.section.distanceToPoint(point) >= 0);
+    const hit = this.objects.hit(this.rayAt(x, y), (point) => !this.section || this.section.distanceToPoint(point) >= 0);
+    if (!this.isWhole) this.objects.setDetail('coarse'); // rays meet all triangles
+    return hit;
   }
 
   rayAt(x: number, y: number): Raycaster {

@@ -382,7 +382,10 @@ export class Viewer {
       const of = (kind: string) => layers.filter((layer) => layer.role === role && layer.kind === kind);
       const colour = roleColour(themes[this.state.theme], role);
       if (role === 'contact' && areManyCurves(this.data)) {
-        drawn.push(points(middles(of('segments'), this.data), colour, true, 4));
+        const curves = of('segments');
+        const withCurves = new Set(curves.map((layer) => layer.finding));
+        const alone = of('points').filter((layer) => !withCurves.has(layer.finding));
+        drawn.push(points(middles([...curves, ...alone], this.data), colour, true, 4));
         continue;
       }
       const curves = merged(of('segments'), this.data);

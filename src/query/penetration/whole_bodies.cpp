@@ -46,6 +46,10 @@ std::vector<Vec3> used_vertices(const PosedMesh& mesh) {
   return vertices;
 }
 
+std::size_t vertices_of(const WholeBody& body) {
+  return std::size_t{body.hull.vertex_count()} + (body.drawn ? body.drawn->vertex_count() : 0);
+}
+
 /// Of the same bits, 0 and -0 being two.
 bool is_same(const Pose& a, const Pose& b) {
   return std::ranges::equal(a.numbers(), b.numbers(), {}, std::bit_cast<std::uint64_t, double>,
@@ -67,16 +71,23 @@ WholeBody whole_body_of(const PosedMesh& mesh) {
 
 std::shared_ptr<const WholeBody> WholeBodies::of(const PosedMesh& mesh) {
   const std::shared_ptr<const TriangleMesh> shape = mesh_of(mesh.model().shape());
-  const auto found = std::ranges::find_if(
-      kept_, [&](const Kept& kept) { return kept.mesh == shape && is_same(kept.pose, mesh.pose()); });
+  const auto is_it = [&](const Kept& kept) {
+    const bool is_same_mesh = !kept.mesh.owner_before(shape) && !shape.owner_before(kept.mesh);
+    return is_same_mesh && is_same(kept.pose, mesh.pose());
+  };
+  std::erase_if(kept_, [&](const Kept& kept) {
+    if (kept.mesh.expired()) vertices_ -= vertices_of(*kept.body);
+    return kept.mesh.expired();
+  });
+  const auto found = std::ranges::find_if(kept_, is_it);
   if (found != kept_.end()) {
     std::rotate(kept_.begin(), found, found + 1);
     return kept_.front().body;
   }
   kept_.push_front({shape, mesh.pose(), std::make_shared<const WholeBody>(whole_body_of(mesh))});
-  vertices_ += kept_.front().body->hull.vertex_count();
+  vertices_ += vertices_of(*kept_.front().body);
   while (kept_.size() > 1 && (kept_.size() > most_kept || vertices_ > most_vertices_kept)) {
-    vertices_ -= kept_.back().body->hull.vertex_count();
+    vertices_ -= vertices_of(*kept_.back().body);
     kept_.pop_back();
   }
   return kept_.front().body;

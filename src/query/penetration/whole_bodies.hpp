@@ -14,7 +14,7 @@ namespace toccata {
 struct WholeBody {
   ConvexHull hull;                  ///< of the vertices of its triangles
   bool is_convex = false;           ///< the hull is the solid
-  std::optional<ConvexHull> drawn;  ///< else all but a share of 2^-36 of the hull, where that lies within the solid
+  std::optional<ConvexHull> drawn;  ///< else all but a share of 2^-40 of the hull, where that lies within the solid
 };
 
 /// Looks at all vertices and triangles.
@@ -28,7 +28,7 @@ class WholeBodies {
 
  private:
   struct Kept {
-    std::shared_ptr<const TriangleMesh> mesh;  // held, so that no other mesh comes to lie where it is
+    std::weak_ptr<const TriangleMesh> mesh;  // not held: who drops it has its memory back
     Pose pose;
     std::shared_ptr<const WholeBody> body;
   };

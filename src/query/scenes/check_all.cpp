@@ -20,6 +20,7 @@
 #include "query/relation/relation_posed.hpp"
 #include "query/scenes/candidate_pairs.hpp"
 #include "query/scenes/check_wanted.hpp"
+#include "query/scenes/clearances.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "query/scenes/task_reporter.hpp"
 #include "query/volume/solid_volume.hpp"
