@@ -51,6 +51,10 @@ def main():
         many = run(*launch, *files, str(broken))
         if many.returncode != 2 or many.stderr.count("broken.obj") != 1 or many.stdout:
             trouble.append(f"a broken file: exit code {many.returncode}\n{many.stderr}")
+        for words, told in (([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"), (files[:1], "a check needs two")):
+            many = run(*launch, *words)
+            if many.returncode != 2 or many.stderr.count(told) != 1 or many.stdout:
+                trouble.append(f"{words[-2:]}: exit code {many.returncode}\n{many.stderr}")
     print("\n".join(trouble) or f"{ranks} ranks write the same bytes")
     return 1 if trouble else 0
 

@@ -1,4 +1,5 @@
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -147,12 +148,24 @@ TEST(ScenesOfRanks, TellAllRanksOfAPartThatCannotBeRead) {
     });
   });
   EXPECT_EQ(message, fmt::format("rank {}: gear.stl: it ends too early", ranks - 1));
-  const Parts parts{{{Sphere(1)}}, {{Sphere(1)}}};
-  CheckOptions options;
-  options.pair_clearances = {{0, 2, 1}};
+}
+
+/// Also of pairs that are far from each other, and whichever rank would decide them.
+TEST(ScenesOfRanks, RefuseTheClearancesThatOneProcessRefuses) {
+  const Parts parts{{{.model = Model(Sphere(1)), .name = "a"}, {.model = Model(Sphere(1)), .group = "rack"}},
+                    {{.model = Model(Sphere(1)), .pose = Pose::translation(90, 0, 0), .group = "rack"}}};
+  const std::vector<SceneInstance> models = all_of(parts);
   DistributedScene scene = scene_of(parts);
-  EXPECT_EQ(message_of([&] { static_cast<void>(scene.check(options)); }),
-            "a clearance is asked for models 0 and 2, and there are two different ones of 2");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::vector<PairClearance>> wrong{
+      {{0, 3, 1}}, {{1, 1, 1}}, {{0, 1, nan}}, {{0, 2, -1}}, {{0, 2, 1}, {2, 0, 2}}, {{1, 2, 1}}};
+  for (const std::vector<PairClearance>& clearances : wrong) {
+    CheckOptions options;
+    options.pair_clearances = clearances;
+    const std::string expected = message_of([&] { static_cast<void>(check_all(models, options)); });
+    EXPECT_NE(expected, "nothing was thrown");
+    EXPECT_EQ(message_of([&] { static_cast<void>(scene.check(options)); }), expected);
+  }
   // And it goes on.
   static_cast<void>(scene.check());
 }
