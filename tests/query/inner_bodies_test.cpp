@@ -123,6 +123,21 @@ TEST(WholeBodies, ThoseThatWereAskedLongAgoAreGivenUp) {
   EXPECT_TRUE(first.expired());
 }
 
+TEST(WholeBodies, DoNotHoldTheirMeshes) {
+  WholeBodies bodies;
+  std::weak_ptr<const TriangleMesh> mesh;
+  std::weak_ptr<const WholeBody> body;
+  {
+    const Model ball(icosphere_mesh(1, 1));
+    mesh = mesh_of(ball.shape());
+    body = bodies.of(PosedMesh(ball, {}));
+    EXPECT_FALSE(mesh.expired() || body.expired());
+  }
+  EXPECT_TRUE(mesh.expired());
+  static_cast<void>(bodies.of(PosedMesh(Model(icosphere_mesh(1, 1)), {})));
+  EXPECT_TRUE(body.expired()) << "nobody can ask for it again";
+}
+
 TEST(WholeBodies, OfAMeshThatIsNotConvexTheHullIsNotTheSolid) {
   const Model torus(generate_mesh("torus", {}));
   const WholeBody body = whole_body_of(PosedMesh(torus, {}));
