@@ -34,7 +34,6 @@ OutsideFaces::OutsideFaces(const ConvexHull& body) : body_(body) {
 
 bool OutsideFaces::tell_apart(const Triangle& triangle) {
   const double reach = std::max(reach_, reach_of(triangle));
-  if (!(reach < 0x1p1000)) return false;  // sums of products might overflow
   if (is_before(faces_[last_], triangle, reach)) return true;
   for (std::size_t i = 0; i < faces_.size(); ++i)
     if (i != last_ && is_before(faces_[i], triangle, reach)) {
@@ -46,7 +45,8 @@ bool OutsideFaces::tell_apart(const Triangle& triangle) {
 
 /// Any direction proves it, so that the normal may be rounded. A height is a sum of three products of numbers up
 /// to 1.01 and `reach`: three roundings of 2^-53 make it wrong by less than 2^-49 · reach, and both of them by less
-/// than 2^-48.
+/// than 2^-48. A sum of two products that is more than doubles hold stays above the body whatever the third is: with
+/// |x| + |y| > 1 of a unit normal |z| is less. Bodies of such coordinates have no normals.
 bool OutsideFaces::is_before(Face& face, const Triangle& triangle, double reach) const {
   const double low = lowest(triangle, face.normal);
   if (!(low > face.height)) return false;
