@@ -1,6 +1,7 @@
 #include <cmath>
 #include <span>
 
+#include "math/vec3_measures.hpp"
 #include "support/case_seeds.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
@@ -83,7 +84,11 @@ std::string fault_of_hulls(const TriangleMesh& a, const TriangleMesh& b, const P
 std::string fault_of_translations(const Model& a, const Model& b, const PairQuery& query, const Penetration& p,
                                   Random& random) {
   if (p.lower > p.upper) return "the bracket is empty";
-  if (relation(a, b, moved(query, p.upper * p.direction)).kind == RelationKind::overlapping)
+  // Convex solids are parted as they are posed, by a translation in exact arithmetic; one that is added to a pose
+  // rounds each of their vertices anew.
+  const bool is_of_hulls = p.upper <= (1 + 0x1p-40) * p.lower;
+  const double rounded = is_of_hulls ? 0x1p-48 * (4 + sum_of_magnitudes(query.pose_b.offset)) : 0;
+  if (relation(a, b, moved(query, (p.upper + rounded) * p.direction)).kind == RelationKind::overlapping)
     return "upper · direction does not part them";
   for (int i = 0; i < 4; ++i)
     if (p.lower > 1e-9 &&
