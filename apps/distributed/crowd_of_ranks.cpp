@@ -16,10 +16,7 @@
 namespace toccata {
 namespace {
 
-using Arguments = CrowdOfRanks;
-using Row = RankCosts;
-
-void print_table(const Arguments& arguments, const std::vector<Row>& rows) {
+void print_table(const CrowdOfRanks& arguments, const std::vector<RankCosts>& rows) {
   fmt::print("{} boxes, {}, {} frames, {} ranks; imbalance {:.2f}, space divided anew {} times\n", arguments.count,
              arguments.scene, arguments.frames, rows.size(), rows[0].imbalance, rows[0].divisions);
   fmt::print("{:>4}{:>12}{:>11}{:>10}{:>10}{:>11}{:>11}{:>14}{:>14}\n", "rank", "ms a step", "bodies", "ghosts",
@@ -27,7 +24,7 @@ void print_table(const Arguments& arguments, const std::vector<Row>& rows) {
   const auto frames = static_cast<double>(arguments.frames);
   double pairs = 0;
   for (std::size_t rank = 0; rank < rows.size(); ++rank) {
-    const Row& row = rows[rank];
+    const RankCosts& row = rows[rank];
     fmt::print("{:>4}{:>12.3f}{:>11}{:>10}{:>10.2f}{:>11}{:>11}{:>14.1f}{:>14.0f}\n", rank, row.milliseconds,
                row.bodies, row.ghosts, 100 * row.ghosts / std::max(row.bodies, 1.0), row.pairs, row.candidates,
                row.came / frames, row.bytes / frames);
@@ -37,7 +34,7 @@ void print_table(const Arguments& arguments, const std::vector<Row>& rows) {
 }
 
 int main_of(int count, char** words) {
-  Arguments arguments;
+  CrowdOfRanks arguments;
   CLI::App app("Boxes that move, divided over the ranks of mpirun: what a step takes, ghosts, and bytes sent.");
   std::vector<std::string> scenes;
   for (const NamedScene& scene : crowd_scenes()) scenes.push_back(scene.name);
@@ -54,7 +51,7 @@ int main_of(int count, char** words) {
       ->check(whole_number(0, 1024))
       ->capture_default_str();
   if (const std::optional<int> code = end_by_words(app, count, words)) return *code;
-  const std::vector<Row> rows = costs_of_ranks(arguments);
+  const std::vector<RankCosts> rows = costs_of_ranks(arguments);
   if (!rows.empty()) print_table(arguments, rows);
   return 0;
 }
