@@ -35,6 +35,7 @@ struct InputArguments {
 /// Files for other programs; those that are empty are not asked for.
 struct ExchangeFiles {
   std::string junit, sarif, bcf;
+  std::string bcf_version = "2.1";
 };
 
 /// What is asked about, and where it is.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <initializer_list>
 #include <pugixml.hpp>
 #include <sstream>
 #include <string_view>
@@ -16,10 +17,16 @@
 #include "words.hpp"
 #include "zip_file.hpp"
 
-// buildingSMART, "BIM Collaboration Format" (BCF-XML), version 2.1: a zip with a folder for each topic, which holds its
-// text and a place to look from.
+// buildingSMART, "BIM Collaboration Format" (BCF-XML), versions 2.1 and 3.0: a zip with a folder for each topic, which
+// holds its text and a place to look from.
 namespace toccata::command {
 namespace {
+
+enum class BcfVersion { v2_1, v3_0 };
+
+/// The kinds of topics, and where they stand: of 3.0 a file tells beforehand which it has.
+constexpr const char *clash_type = "Clash", *remark_type = "Remark", *open_status = "Open", *closed_status = "Closed";
+constexpr const char* author = "Toccata";
 
 std::string text_of(const pugi::xml_document& document) {
   std::ostringstream text;
@@ -53,53 +60,92 @@ double metres_of(const std::string& unit) {
   return metres_per_unit(unit.ends_with(" m") ? unit.substr(0, unit.size() - 2) : unit);
 }
 
-std::string version_xml() {
+/// Empty but for what XML begins with.
+pugi::xml_document begun_document() {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version").set_value("1.0");
   declaration.append_attribute("encoding").set_value("UTF-8");
+  return document;
+}
+
+std::string version_xml(BcfVersion version) {
+  pugi::xml_document document = begun_document();
   document.append_child(pugi::node_comment).set_value(" BCF of Toccata ");
   pugi::xml_node version_node = document.append_child("Version");
-  version_node.append_attribute("VersionId").set_value("2.1");
-  add_text(version_node, "DetailedVersion", "2.1");
+  version_node.append_attribute("VersionId").set_value(version == BcfVersion::v2_1 ? "2.1" : "3.0");
+  if (version == BcfVersion::v2_1) add_text(version_node, "DetailedVersion", "2.1");
   return text_of(document);
 }
 
-std::string markup_xml(const Findings& findings, const ReportedPair& pair, std::size_t number,
-                       const std::string& guid) {
-  const Scene& scene = findings.input.loaded.scene;
-  pugi::xml_document document;
-  pugi::xml_node markup = document.append_child("Markup");
+/// Which words the topics of a file have, where their version asks for them.
+std::string extensions_xml() {
+  pugi::xml_document document = begun_document();
+  pugi::xml_node extensions = document.append_child("Extensions");
+  const auto add_list = [&](const char* list, const char* entry, std::initializer_list<const char*> words) {
+    pugi::xml_node node = extensions.append_child(list);
+    for (const char* word : words) add_text(node, entry, word);
+  };
+  add_list("TopicTypes", "TopicType", {clash_type, remark_type});
+  add_list("TopicStatuses", "TopicStatus", {open_status, closed_status});
+  add_list("TopicLabels", "TopicLabel", {"overlapping", "crossing", "touching", "clearance", "undecided"});
+  add_list("Users", "User", {author});
+  return text_of(document);
+}
+
+/// What every topic begins with.
+pugi::xml_node begin_topic(pugi::xml_node markup, const std::string& guid, const char* type, const char* status) {
   pugi::xml_node topic = markup.append_child("Topic");
   topic.append_attribute("Guid").set_value(guid.c_str());
-  topic.append_attribute("TopicType").set_value("Clash");
-  topic.append_attribute("TopicStatus").set_value(is_clash(pair) ? "Open" : "Closed");
+  topic.append_attribute("TopicType").set_value(type);
+  topic.append_attribute("TopicStatus").set_value(status);
+  return topic;
+}
+
+void add_creation(pugi::xml_node topic) {
+  add_text(topic, "CreationDate", date_text());
+  add_text(topic, "CreationAuthor", author);
+}
+
+constexpr const char* viewpoint_file = "viewpoint.bcfv";
+
+std::string viewpoint_guid(const std::string& topic) { return guid_of("viewpoint of " + topic); }
+
+void add_viewpoint(pugi::xml_node parent, const char* name, const std::string& topic) {
+  pugi::xml_node viewpoint = parent.append_child(name);
+  viewpoint.append_attribute("Guid").set_value(viewpoint_guid(topic).c_str());
+  add_text(viewpoint, "Viewpoint", viewpoint_file);
+}
+
+std::string markup_xml(BcfVersion version, const Findings& findings, const ReportedPair& pair, std::size_t number,
+                       const std::string& guid) {
+  const Scene& scene = findings.input.loaded.scene;
+  pugi::xml_document document = begun_document();
+  pugi::xml_node markup = document.append_child("Markup");
+  pugi::xml_node topic = begin_topic(markup, guid, clash_type, is_clash(pair) ? open_status : closed_status);
   add_text(topic, "Title", sentence_of(scene, pair));
   add_text(topic, "Index", fmt::format("{}", number));
-  add_text(topic, "Labels", kind_of_finding(pair));
-  add_text(topic, "CreationDate", date_text());
-  add_text(topic, "CreationAuthor", "Toccata");
-  std::string description;
-  for (const std::string& detail : details_of(scene, pair, findings.report.baseline.has_value()))
-    description += (description.empty() ? "" : "\n") + detail;
-  if (!description.empty()) add_text(topic, "Description", description);
-  pugi::xml_node viewpoints = markup.append_child("Viewpoints");
-  viewpoints.append_attribute("Guid").set_value(guid_of("viewpoint of " + guid).c_str());
-  add_text(viewpoints, "Viewpoint", "viewpoint.bcfv");
+  if (version == BcfVersion::v2_1)
+    add_text(topic, "Labels", kind_of_finding(pair));
+  else
+    add_text(topic.append_child("Labels"), "Label", kind_of_finding(pair));
+  add_creation(topic);
+  const std::vector<std::string> details = details_of(scene, pair, findings.report.baseline.has_value());
+  if (!details.empty()) add_text(topic, "Description", fmt::format("{}", fmt::join(details, "\n")));
+  if (version == BcfVersion::v2_1)
+    add_viewpoint(markup, "Viewpoints", guid);
+  else
+    add_viewpoint(topic.append_child("Viewpoints"), "ViewPoint", guid);
   return text_of(document);
 }
 
 /// A topic that says that the others are not all.
 std::string unfinished_markup_xml(std::size_t unfinished, const std::string& guid) {
-  pugi::xml_document document;
-  pugi::xml_node topic = document.append_child("Markup").append_child("Topic");
-  topic.append_attribute("Guid").set_value(guid.c_str());
-  topic.append_attribute("TopicType").set_value("Remark");
-  topic.append_attribute("TopicStatus").set_value("Open");
+  pugi::xml_document document = begun_document();
+  pugi::xml_node topic = begin_topic(document.append_child("Markup"), guid, remark_type, open_status);
   add_text(topic, "Title",
            fmt::format("The check was stopped: {} not looked at, these are not all", counted(unfinished, "pair")));
-  add_text(topic, "CreationDate", date_text());
-  add_text(topic, "CreationAuthor", "Toccata");
+  add_creation(topic);
   return text_of(document);
 }
 
@@ -130,7 +176,7 @@ void add_vector(pugi::xml_node parent, const char* name, const Vec3& v) {
 }
 
 /// From the south-east and above, so far that the place takes about a third of the picture.
-void add_camera(pugi::xml_node parent, const Aabb& place) {
+void add_camera(BcfVersion version, pugi::xml_node parent, const Aabb& place) {
   constexpr double third = 2.6;  // of the half diagonal, at 60 degrees
   const Vec3 middle = 0.5 * (place.lower + place.upper), half = 0.5 * (place.upper - place.lower);
   const double size = std::max(length(half), 1e-3);
@@ -141,13 +187,14 @@ void add_camera(pugi::xml_node parent, const Aabb& place) {
   const Vec3 side = normalized(cross(direction, Vec3{0, 0, 1}));
   add_vector(camera, "CameraUpVector", cross(side, direction));
   add_text(camera, "FieldOfView", "60");
+  if (version == BcfVersion::v3_0) add_text(camera, "AspectRatio", "1");
 }
 
-std::string viewpoint_xml(const Scene& scene, const ReportedPair& pair, const std::string& guid) {
+std::string viewpoint_xml(BcfVersion version, const Scene& scene, const ReportedPair& pair, const std::string& guid) {
   const std::string &a = scene.objects[pair.a].name, &b = scene.objects[pair.b].name;
-  pugi::xml_document document;
+  pugi::xml_document document = begun_document();
   pugi::xml_node view = document.append_child("VisualizationInfo");
-  view.append_attribute("Guid").set_value(guid_of("viewpoint of " + guid).c_str());
+  view.append_attribute("Guid").set_value(viewpoint_guid(guid).c_str());
   pugi::xml_node components = view.append_child("Components");
   pugi::xml_node selection = components.append_child("Selection");
   add_component(selection, a);
@@ -157,12 +204,11 @@ std::string viewpoint_xml(const Scene& scene, const ReportedPair& pair, const st
   for (const auto& [colour, name] : {std::pair("FF56B4E9", &a), std::pair("FFE69F00", &b)}) {
     pugi::xml_node one = colouring.append_child("Color");
     one.append_attribute("Color").set_value(colour);
-    add_component(one, *name);
+    add_component(version == BcfVersion::v2_1 ? one : one.append_child("Components"), *name);
   }
-  if (const std::optional<Aabb> place = place_of(scene, pair)) {
-    const double metres = metres_of(scene.unit);
-    add_camera(view, {metres * place->lower, metres * place->upper});
-  }
+  const double metres = metres_of(scene.unit);
+  const Aabb place = place_of(scene, pair);
+  add_camera(version, view, {metres * place.lower, metres * place.upper});
   return text_of(document);
 }
 
@@ -170,13 +216,15 @@ std::string viewpoint_xml(const Scene& scene, const ReportedPair& pair, const st
 
 std::string bcf_zip(const Findings& findings) {
   const Scene& scene = findings.input.loaded.scene;
+  const BcfVersion version = findings.arguments.exchange.bcf_version == "3.0" ? BcfVersion::v3_0 : BcfVersion::v2_1;
   // First, and not compressed: by its comment a file of Toccata is known again.
-  std::vector<ZipEntry> entries{{"bcf.version", version_xml(), ZipStored::as_it_is}};
+  std::vector<ZipEntry> entries{{"bcf.version", version_xml(version), ZipStored::as_it_is}};
+  if (version == BcfVersion::v3_0) entries.push_back({"extensions.xml", extensions_xml()});
   for (std::size_t i = 0; i < findings.report.pairs.size(); ++i) {
     const ReportedPair& pair = findings.report.pairs[i];
     const std::string guid = guid_of(scene.objects[pair.a].name + '\0' + scene.objects[pair.b].name);
-    entries.push_back({guid + "/markup.bcf", markup_xml(findings, pair, i, guid)});
-    entries.push_back({guid + "/viewpoint.bcfv", viewpoint_xml(scene, pair, guid)});
+    entries.push_back({guid + "/markup.bcf", markup_xml(version, findings, pair, i, guid)});
+    entries.push_back({guid + "/" + viewpoint_file, viewpoint_xml(version, scene, pair, guid)});
   }
   if (findings.report.unfinished > 0) {
     const std::string guid = guid_of("stopped");

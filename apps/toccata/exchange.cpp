@@ -42,7 +42,12 @@ void add_exchange(CLI::App& app, ExchangeFiles& files) {
   add_file(app, "--junit", files.junit, "write JUnit XML, for continuous integration (docs/reference/exchange.md)",
            "FILE.xml");
   add_file(app, "--sarif", files.sarif, "write SARIF 2.1.0, for code scanning", "FILE.sarif");
-  add_file(app, "--bcf", files.bcf, "write BCF 2.1, for programs that exchange issues of building models", "FILE.bcf");
+  CLI::Option* bcf =
+      add_file(app, "--bcf", files.bcf, "write BCF, for programs that exchange issues of building models", "FILE.bcf");
+  app.add_option("--bcf-version", files.bcf_version, "of what --bcf writes")
+      ->check(CLI::IsMember({"2.1", "3.0"}))
+      ->capture_default_str()
+      ->needs(bcf);
 }
 
 void require_exchange(const PosedArguments& arguments) {

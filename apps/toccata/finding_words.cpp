@@ -125,10 +125,10 @@ std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair
   return details;
 }
 
-std::optional<Aabb> place_of(const Scene& scene, const ReportedPair& pair) {
-  const std::optional<Place> place = told_place(scene, pair);
-  const bool has_end = place && is_finite(place->box.lower) && is_finite(place->box.upper);
-  return has_end ? std::optional(place->box) : std::nullopt;
+Aabb place_of(const Scene& scene, const ReportedPair& pair) {
+  const auto has_end = [](const Aabb& box) { return !is_empty(box) && is_finite(box.lower) && is_finite(box.upper); };
+  if (const std::optional<Place> place = told_place(scene, pair); place && has_end(place->box)) return place->box;
+  return has_end(pair.place) ? pair.place : Aabb{{-1, -1, -1}, {1, 1, 1}};
 }
 
 std::string digits_of(const std::string& words) {

@@ -22,9 +22,9 @@ namespace toccata::command {
 /// deepest points are … and …", and how it stands against a baseline.
 [[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);
 
-/// A box in the world around where the two meet or are near: around the points that the answer tells, or the object
-/// that lies inside the other. None where it tells none.
-[[nodiscard]] std::optional<Aabb> place_of(const Scene& scene, const ReportedPair& pair);
+/// A box in the world to look at: around the points in which the two meet or are near, or the object that lies inside
+/// the other; where the answer tells none, around what both may hold. Of what has no end, a box about the origin.
+[[nodiscard]] Aabb place_of(const Scene& scene, const ReportedPair& pair);
 
 /// 32 hexadecimal digits that are the same for the same words, in runs of every day and machine.
 [[nodiscard]] std::string digits_of(const std::string& words);

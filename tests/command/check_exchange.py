@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What `check` writes for other programs is as those read it: JUnit XML, SARIF 2.1.0, BCF 2.1.
+"""What `check` writes for other programs is as those read it: JUnit XML, SARIF 2.1.0, BCF 2.1 and 3.0.
 
-usage: check_exchange.py TOCCATA [--reader]
+usage: check_exchange.py TOCCATA [--reader | --schemas FOLDER]
 
-With --reader the BCF file is read by bcf-client (PyPI: pip install bcf-client) instead; exit status 77 where that is not
-installed.
+With --reader the BCF files are read by bcf-client (PyPI: pip install bcf-client) instead; exit status 77 where that is not
+installed. With --schemas they are validated (PyPI: pip install xmlschema) by those of buildingSMART's repository BCF-XML:
+the files of its folder Schemas of release_2_1 in FOLDER/2.1, of release_3_0 in FOLDER/3.0.
 """
 import json
 import math
@@ -83,11 +84,18 @@ def numbers(node):
 
 
 def check_bcf(folder):
-    with zipfile.ZipFile(folder / "found.bcf") as bcf:
+    check_bcf_of(folder, "2.1", "Labels", "Viewpoints", "Components/Coloring/Color/Component")
+    check_bcf_of(folder, "3.0", "Labels/Label", "Topic/Viewpoints/ViewPoint", "Components/Coloring/Color/Components/Component")
+
+
+def check_bcf_of(folder, version, label, viewpoint, coloured):
+    """A file of a version, and where that has what the versions do not have in the same place."""
+    with zipfile.ZipFile(folder / f"found-{version}.bcf") as bcf:
         assert bcf.testzip() is None
         names = bcf.namelist()
         assert names[0] == "bcf.version", names
-        assert ElementTree.fromstring(bcf.read("bcf.version")).get("VersionId") == "2.1"
+        assert ElementTree.fromstring(bcf.read("bcf.version")).get("VersionId") == version
+        assert ("extensions.xml" in names) == (version == "3.0"), names
         topics = {name.split("/")[0] for name in names if "/" in name}
         assert len(topics) == 3, names
         titles = {}
@@ -98,20 +106,44 @@ def check_bcf(folder):
             # In the order of the schema.
             assert [one.tag for one in topic][:5] == ["Title", "Index", "Labels", "CreationDate", "CreationAuthor"]
             assert topic.find("CreationDate").text == "2023-11-14T22:13:20Z"
-            view = ElementTree.fromstring(bcf.read(f"{guid}/{markup.find('Viewpoints/Viewpoint').text}"))
-            assert view.get("Guid") == markup.find("Viewpoints").get("Guid")
+            assert topic.find(label).text in ("overlapping", "touching", "clearance")
+            if version == "3.0":
+                known = ElementTree.fromstring(bcf.read("extensions.xml"))
+                assert topic.get("TopicType") in [one.text for one in known.findall("TopicTypes/TopicType")]
+                assert topic.get("TopicStatus") in [one.text for one in known.findall("TopicStatuses/TopicStatus")]
+                assert topic.find(label).text in [one.text for one in known.findall("TopicLabels/TopicLabel")]
+            view = ElementTree.fromstring(bcf.read(f"{guid}/{markup.find(viewpoint).find('Viewpoint').text}"))
+            assert view.get("Guid") == markup.find(viewpoint).get("Guid")
             assert [one.tag for one in view.find("Components")] == ["Selection", "Visibility", "Coloring"]
             titles[topic.find("Title").text] = view
     [overlap] = [view for title, view in titles.items() if "overlaps" in title]
     selected = overlap.findall("Components/Selection/Component")
     assert [one.get("IfcGuid") for one in selected] == [None, "2O2Fr$t4X7Zf8NOew3FLOH"]
+    assert [one.get("IfcGuid") for one in overlap.findall(coloured)] == [None, "2O2Fr$t4X7Zf8NOew3FLOH"]
     camera = overlap.find("PerspectiveCamera")
+    assert (camera.find("AspectRatio") is not None) == (version == "3.0")
     place, direction = numbers(camera.find("CameraViewPoint")), numbers(camera.find("CameraDirection"))
     assert math.isclose(math.hypot(*direction), 1, rel_tol=1e-9)
     # It looks at the middle of where the two meet, in metres: (0.75, 0, 0) cm.
     way = [middle - at for middle, at in zip([0.0075, 0, 0], place)]
     along = sum(a * b for a, b in zip(way, direction))
     assert math.hypot(*(a - along * b for a, b in zip(way, direction))) < 1e-9 and along > 0, (place, direction)
+
+
+def check_cameras(folder):
+    """A finding whose place no answer tells is looked at all the same: where both may be, or, of what has no end, somewhere."""
+    shape = '{"name": "%s", "shape": {"type": "%s", %s}, "pose": {"translation": [%s, 0, 0]}}'
+    for first, middle in (('"radius": 1, "height": 2', 0.5), (None, 0)):
+        one = shape % ("one", "cylinder", first, 0) if first else '{"name": "one", "shape": {"type": "half-space"}}'
+        other = shape % ("other", "cylinder", '"radius": 1, "height": 2', 1)
+        (folder / "vague.json").write_text('{"format": "toccata-scene", "version": 1, "unit": "m", "objects": [%s, %s]}' % (one, other))
+        run(folder, "vague.json", "--bcf", "vague.bcf", "--bcf-version", "3.0", code=1)
+        with zipfile.ZipFile(folder / "vague.bcf") as bcf:
+            [view] = [ElementTree.fromstring(bcf.read(name)) for name in bcf.namelist() if name.endswith(".bcfv")]
+        camera = view.find("PerspectiveCamera")
+        place, direction = numbers(camera.find("CameraViewPoint")), numbers(camera.find("CameraDirection"))
+        far = -place[2] / direction[2]
+        assert math.isclose(place[0] + far * direction[0], middle, abs_tol=1e-9), (first, place, direction)
 
 
 def scene_of(*objects):
@@ -195,6 +227,8 @@ def check_refusals(folder):
     [case] = ElementTree.parse(folder / "nothing.xml").getroot().iter("testcase")
     assert case.get("name") == "nothing collides" and len(case) == 0
     assert zipfile.ZipFile(folder / "nothing.bcf").namelist() == ["bcf.version"]
+    assert "--bcf" in run(folder, "the scene.json", "--bcf-version", "3.0", code=2).stderr
+    assert "3.0" in run(folder, "the scene.json", "--bcf", "none.bcf", "--bcf-version", "1.0", code=2).stderr
 
 
 def read_by_another(folder):
@@ -203,29 +237,51 @@ def read_by_another(folder):
     except ImportError:
         print("bcf-client is not installed (pip install bcf-client): BCF files are read by no second reader")
         sys.exit(77)
-    with load(folder / "found.bcf") as bcf:
-        assert bcf.version.version_id == "2.1"
-        titles = sorted(topic.topic.title for topic in bcf.topics.values())
-        assert len(titles) == 3 and any("overlaps" in title for title in titles), titles
-        for topic in bcf.topics.values():
-            [view] = topic.viewpoints.values()
-            assert len(view.get_selected_guids() if hasattr(view, "get_selected_guids") else [1]) <= 2
-            assert view.visualization_info.perspective_camera is not None
-    print("bcf-client reads the three topics and their places to look from")
+    for version in BCF_VERSIONS:
+        with load(folder / f"found-{version}.bcf") as bcf:
+            assert bcf.version.version_id == version
+            titles = sorted(topic.topic.title for topic in bcf.topics.values())
+            assert len(titles) == 3 and any("overlaps" in title for title in titles), titles
+            for topic in bcf.topics.values():
+                [view] = topic.viewpoints.values()
+                assert len(view.get_selected_guids() if hasattr(view, "get_selected_guids") else [1]) <= 2
+                assert view.visualization_info.perspective_camera is not None
+    print(f"bcf-client reads the three topics of BCF {' and '.join(BCF_VERSIONS)}, and their places to look from")
+
+
+def validate(folder, schemas):
+    """Every file of the zips, by the schema for its name."""
+    import xmlschema
+    of_name = {"bcf.version": "version", "extensions.xml": "extensions", "markup.bcf": "markup", "viewpoint.bcfv": "visinfo"}
+    for version in BCF_VERSIONS:
+        known = {name: xmlschema.XMLSchema(schemas / version / f"{of_name[name]}.xsd") for name in of_name
+                 if (schemas / version / f"{of_name[name]}.xsd").exists()}
+        with zipfile.ZipFile(folder / f"found-{version}.bcf") as bcf:
+            for name in bcf.namelist():
+                known[name.rpartition("/")[2]].validate(bcf.read(name).decode())
+            print(f"BCF {version}: {len(bcf.namelist())} files are valid")
+
+
+BCF_VERSIONS = ("2.1", "3.0")
 
 
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "the scene.json").write_text(SCENE)
-        words = ["the scene.json", "--clearance", "2mm", "--fail-on", "hard", "--junit", "found.xml", "--sarif", "found.sarif", "--bcf", "found.bcf"]
-        run(folder, *words, code=1)
+        words = ["the scene.json", "--clearance", "2mm", "--fail-on", "hard", "--junit", "found.xml", "--sarif", "found.sarif"]
+        for version in BCF_VERSIONS:
+            run(folder, *words, "--bcf", f"found-{version}.bcf", "--bcf-version", version, code=1)
         if "--reader" in sys.argv:
             return read_by_another(folder)
-        before = [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")]
-        run(folder, *words, "--threads", "1", code=1)
-        assert before == [(folder / file).read_bytes() for file in ("found.xml", "found.sarif", "found.bcf")], "not the same twice"
-        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_tolerance, check_places, check_by_winding, check_refusals):
+        if "--schemas" in sys.argv:
+            return validate(folder, pathlib.Path(sys.argv[-1]))
+        files = ["found.xml", "found.sarif", "found-2.1.bcf"]
+        before = [(folder / file).read_bytes() for file in files]
+        run(folder, *words, "--bcf", "found-2.1.bcf", "--threads", "1", code=1)
+        assert before == [(folder / file).read_bytes() for file in files], "not the same twice"
+        for check in (check_junit, check_sarif, check_sarif_baseline, check_bcf, check_cameras, check_tolerance, check_places,
+                      check_by_winding, check_refusals):
             check(folder)
 
 

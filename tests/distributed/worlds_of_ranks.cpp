@@ -239,12 +239,11 @@ TEST(QueriesOfRanks, AnswerAsTheSerialOnes) {
     if (random.below(3) == 0) twins.move(id, random_place("convex", random));
   twins.step();
   const WorldQueries serial(twins.world);
-  const auto same_first = [&](const auto& expected, const auto& found) {
+  const auto same_first = [&]<class Answer>(const auto& expected, const std::optional<GlobalAnswer<Answer>>& found) {
     ASSERT_EQ(expected.has_value(), found.has_value());
     if (!expected) return;
     EXPECT_EQ(twins.id_of(expected->body), found->body);
-    EXPECT_EQ(expected->lower, found->lower);
-    EXPECT_EQ(expected->upper, found->upper);
+    EXPECT_EQ(static_cast<const Answer&>(*expected), static_cast<const Answer&>(*found));
   };
   // Each rank asks its own, and other numbers of them.
   Random own(static_cast<std::uint64_t>(100 + twins.distributed.rank()));

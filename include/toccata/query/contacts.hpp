@@ -22,6 +22,8 @@ struct Contact {
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
   Intersection intersection;  ///< of two triangles; else of kind none, and `manifold` tells points
+
+  friend constexpr bool operator==(const Contact&, const Contact&) = default;
 };
 
 /// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact, as `overlap` is; nothing is left out.

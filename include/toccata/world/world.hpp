@@ -55,6 +55,8 @@ struct PairDetails {
   /// Of every pair in contact with WorldOptions::manifold, whatever the shapes: what `manifolds` answers.
   std::vector<ModelManifold> manifolds{};
   std::optional<Penetration> penetration{};
+
+  friend bool operator==(const PairDetails&, const PairDetails&) = default;
 };
 
 /// Two bodies that are in contact or as near as their margin.
