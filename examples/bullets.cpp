@@ -1,5 +1,4 @@
 // Bullets, rays and moving shapes in a World: nothing is missed, however fast it flies.
-#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <cstdio>

@@ -1,5 +1,4 @@
 // A cloth falls onto a ball: a mesh that deforms in each step, its tree refitted, contacts and self-contacts.
-#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // Meshes from buffers of your own, poses from quaternions, and what bad input gets told.
-#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,13 +18,7 @@ struct VertexOfRenderer {
 };
 
 TriangleMesh mesh_from(std::span<const VertexOfRenderer> vertices, std::span<const std::uint16_t> indices) {
-  std::vector<Vec3> points;
-  points.reserve(vertices.size());
-  for (const VertexOfRenderer& v : vertices) points.push_back({v.position[0], v.position[1], v.position[2]});
-  std::vector<std::array<Index, 3>> triangles;
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-    triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
-  return TriangleMesh(std::move(points), std::move(triangles));
+  return TriangleMesh::from_buffers({vertices[0].position, vertices.size(), sizeof(VertexOfRenderer)}, {indices});
 }
 
 template <class Try>

@@ -1,5 +1,4 @@
 // A robot arm of three links beside a table: which joint angles are free, and with how much clearance?
-#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <array>
@@ -11,8 +10,7 @@ namespace {
 
 constexpr double link_length = 1;
 
-/// Where the links are for joint angles in degrees, about the y axis. A pose is made from the angles each time: poses
-/// composed frame after frame would drift away from rotations.
+/// Where the links are for joint angles in degrees, about the y axis.
 std::array<Pose, 3> forward_kinematics(const std::array<double, 3>& degrees) {
   std::array<Pose, 3> poses;
   Pose joint = Pose::translation(0, 0, 1);

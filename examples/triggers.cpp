@@ -1,5 +1,4 @@
 // Triggers, filters, and saving a World: who is in the zone, who is not asked, and the same again from a snapshot.
-#include <toccata/methods.hpp>
 #include <toccata/toccata.hpp>
 
 #include <cstdint>

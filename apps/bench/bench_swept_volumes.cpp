@@ -87,7 +87,7 @@ VolumeJson asked(const VolumeWork& work, const SweptVolume& volume, Random& rand
   std::size_t maybe = 0, hits = 0, contradictions = 0;
   std::vector<bool> may(asked_pairs);
   const double of_volume = seconds_of([&] {
-    for (std::size_t i = 0; i < asked_pairs; ++i) may[i] = may_meet(volume, standing[i]) != SweptMeeting::never;
+    for (std::size_t i = 0; i < asked_pairs; ++i) may[i] = may_meet(volume, standing[i]) != SweptOverlap::never;
   });
   const double of_sweep = seconds_of([&] {
     for (std::size_t i = 0; i < asked_pairs; ++i) {

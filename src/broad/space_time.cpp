@@ -104,7 +104,7 @@ SpaceTimeMotion seen_later(const SpaceTimeMotion& motion, double time) {
           (motion.velocity_error + in_time(time, motion.max_acceleration)) * (1 + 0x1p-51), motion.max_acceleration};
 }
 
-double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a, const SpaceTimeMotion& b) {
+double earliest_contact(double gap, const Vec3& direction, const SpaceTimeMotion& a, const SpaceTimeMotion& b) {
   require_motion(a);
   require_motion(b);
   if (!(gap >= 0 && gap <= greatest_double && is_finite(direction)))
@@ -118,7 +118,7 @@ double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion
   return closing_gap(left, dot(along, velocity), speed > 0 ? 0x1p-48 * speed + 0x1p-500 : 0, a, b).open_until();
 }
 
-double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b) {
+double earliest_contact(const SpaceTimeBox& a, const SpaceTimeBox& b) {
   require_motion(a.motion);
   require_motion(b.motion);
   double time = 0;
@@ -129,7 +129,7 @@ double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b) {
   return time;
 }
 
-double earliest_meeting(const SpaceTimeBall& a, const SpaceTimeBall& b) {
+double earliest_contact(const SpaceTimeBall& a, const SpaceTimeBall& b) {
   require_motion(a.motion);
   require_motion(b.motion);
   if (is_empty(a.ball) || is_empty(b.ball)) return infinity;

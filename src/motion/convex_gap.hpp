@@ -86,21 +86,21 @@ template <class B>
 }
 
 /// From A to B, of length 1 or zero. What is kept saves time.
-[[nodiscard]] inline Vec3 parting_direction(const PlacedSet<PosedPolytope>& a, const PlacedSet<PosedPolytope>& b,
-                                            VertexPairs& kept) {
+[[nodiscard]] inline Vec3 separating_direction(const PlacedSet<PosedPolytope>& a, const PlacedSet<PosedPolytope>& b,
+                                               VertexPairs& kept) {
   const GjkEnd end = nearest_pairs(a, b, kept);
   return end.inside ? Vec3{} : -normalized(end.nearest);
 }
 template <class A>
-[[nodiscard]] Vec3 parting_direction(const PlacedSet<A>&, const PlacedSet<PosedHalfSpace>& b, VertexPairs&) {
+[[nodiscard]] Vec3 separating_direction(const PlacedSet<A>&, const PlacedSet<PosedHalfSpace>& b, VertexPairs&) {
   return -normalized(b.set.normal);
 }
 template <class B>
-[[nodiscard]] Vec3 parting_direction(const PlacedSet<PosedHalfSpace>& a, const PlacedSet<B>&, VertexPairs&) {
+[[nodiscard]] Vec3 separating_direction(const PlacedSet<PosedHalfSpace>& a, const PlacedSet<B>&, VertexPairs&) {
   return normalized(a.set.normal);
 }
 template <class A, class B>
-[[nodiscard]] Vec3 parting_direction(const PlacedSet<A>& a, const PlacedSet<B>& b, VertexPairs&) {
+[[nodiscard]] Vec3 separating_direction(const PlacedSet<A>& a, const PlacedSet<B>& b, VertexPairs&) {
   const Distance found = distance(a.set, b.set);
   return normalized(found.on_b - found.on_a);
 }

@@ -25,7 +25,7 @@ class ConvexPairInTime final : public MovingPair {
 
   [[nodiscard]] Vec3 direction(double time) override {
     const Placing& at = placed(time);
-    const Vec3 found = parting_direction(*at.a, *at.b, kept_);
+    const Vec3 found = separating_direction(*at.a, *at.b, kept_);
     return found == Vec3{} && stop_before_ < 0 ? direction_of_depth(at.a->set, at.b->set) : found;
   }
 

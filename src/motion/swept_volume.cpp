@@ -82,12 +82,12 @@ SweptVolume swept_volume(const Model& body, const RigidMotion& motion, const Swe
   return {model_of(std::move(volume)), excess, false, options.solid};
 }
 
-SweptMeeting may_meet(const SweptVolume& a, const SweptVolume& b) {
+SweptOverlap may_meet(const SweptVolume& a, const SweptVolume& b) {
   const PairQuery query{.solid_a = a.solid, .solid_b = b.solid};
-  if (!overlap(a.model, b.model, query)) return SweptMeeting::never;
+  if (!overlap(a.model, b.model, query)) return SweptOverlap::never;
   const bool is_told = a.is_exact() && b.is_exact() && (a.rests || b.rests);
-  return is_told && relation(a.model, b.model, query).status == Status::exact ? SweptMeeting::certain
-                                                                              : SweptMeeting::maybe;
+  return is_told && relation(a.model, b.model, query).status == Status::exact ? SweptOverlap::certain
+                                                                              : SweptOverlap::maybe;
 }
 
 }  // namespace toccata

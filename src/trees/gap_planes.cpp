@@ -108,16 +108,16 @@ HWY_INLINE Number support(const TurnedBox& box, const Vector& direction) {
                  hn::Mul(box.extent.z, hn::Abs(dot(box.axis[2], direction))));
 }
 
-struct WayOut {
+struct TurnedWayOut {
   Vector direction;
   Number squared;
 };
 
 /// From a box to the smallest one along its axes that holds the other, `between` being the way to the other's centre.
-HWY_INLINE WayOut way_out_of(const TurnedBox& own, const TurnedBox& other, const Vector& between) {
+HWY_INLINE TurnedWayOut way_out_of(const TurnedBox& own, const TurnedBox& other, const Vector& between) {
   const Number zero = hn::Zero(tag);
   const std::array<Number, 3> extent{own.extent.x, own.extent.y, own.extent.z};
-  WayOut way{{zero, zero, zero}, zero};
+  TurnedWayOut way{{zero, zero, zero}, zero};
   for (std::size_t i = 0; i < 3; ++i) {
     const Number along = dot(own.axis[i], between);
     const Number gap = hn::Max(hn::Sub(hn::Sub(hn::Abs(along), extent[i]), support(other, own.axis[i])), zero);
@@ -129,8 +129,8 @@ HWY_INLINE WayOut way_out_of(const TurnedBox& own, const TurnedBox& other, const
 
 /// The direction in which they seem to be farthest apart, of length 1; 0 where there is none.
 HWY_INLINE Vector separating_direction(const TurnedBox& own, const TurnedBox& other, const Vector& between) {
-  const WayOut by_own = way_out_of(own, other, between);
-  const WayOut by_other = way_out_of(other, own, between);
+  const TurnedWayOut by_own = way_out_of(own, other, between);
+  const TurnedWayOut by_other = way_out_of(other, own, between);
   const Number squared = dot(between, between);
   const Number left = hn::Max(hn::Sub(hn::Sub(squared, support(own, between)), support(other, between)), hn::Zero(tag));
   const auto own_first = hn::Ge(by_own.squared, by_other.squared);

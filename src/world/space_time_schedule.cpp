@@ -206,7 +206,7 @@ SpaceTimeMotion SpaceTimeSchedule::motion_now(Index index, double turning_speed)
 }
 
 void SpaceTimeSchedule::look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b) {
-  look_again(pair, whole_steps(earliest_meeting(SpaceTimeBox{reached_a, motion_now(pair.first)},
+  look_again(pair, whole_steps(earliest_contact(SpaceTimeBox{reached_a, motion_now(pair.first)},
                                                 {reached_b, motion_now(pair.second)})));
 }
 
@@ -231,7 +231,7 @@ int SpaceTimeSchedule::steps_apart(const IndexPair& pair, const DirectedGap& gap
   const auto motion = [&](Index index) {
     return motion_now(index, flights_[index].turning_speed(parts_[index], along));
   };
-  return whole_steps(earliest_meeting(gap.length, along, motion(pair.first), motion(pair.second)));
+  return whole_steps(earliest_contact(gap.length, along, motion(pair.first), motion(pair.second)));
 }
 
 /// The length of a vector that moves evenly, and what errors add, are convex in time: between two steps at which they

@@ -50,25 +50,25 @@ TEST(ProofConstants, AxesThatAreNotOfLengthOneAreRefused) {
 TEST(ProofConstants, BallsThatAreHardlyApartMayMeetSoon) {
   const double half = 0x1p-53, gap = 0x1p-60;
   const SpaceTimeBall a{{{-half - gap, 0, 0}, 1}, {.velocity = {1, 0, 0}}}, b{{{1, 0, 0}, half}, {}};
-  EXPECT_LE(earliest_meeting(a, b), gap);
+  EXPECT_LE(earliest_contact(a, b), gap);
 }
 
 // The products that tell how fast the two come together are less than any double. They meet after less than 2^310.
 TEST(ProofConstants, BallsThatComeTogetherMoreSlowlyThanProductsTellMayMeet) {
   const SpaceTimeBall a{{{0, 0, 0}, 0}, {.velocity = {0x1p-700, 0, 0}}}, b{{{0x1p-390, 0, 0}, 0}, {}};
-  EXPECT_LE(earliest_meeting(a, b), 0x1p310);
+  EXPECT_LE(earliest_contact(a, b), 0x1p310);
 }
 
 // Half of the square of the time is 1, and the root of 2 is rounded up.
 TEST(ProofConstants, AnAcceleratedMeetingIsNotToldTooLate) {
-  const oracle::Rational time = exact(earliest_meeting(1, {1, 0, 0}, {.max_acceleration = 1}, {}));
+  const oracle::Rational time = exact(earliest_contact(1, {1, 0, 0}, {.max_acceleration = 1}, {}));
   EXPECT_LE(time * time, 2);
   EXPECT_GE(time * time, 2 - exact(0x1p-40));
 }
 
 // The velocity is at right angles to the direction but for 2^-60, and rounding makes it lead away.
 TEST(ProofConstants, WhatComesNearerByLessThanRoundingMayMeet) {
-  EXPECT_LE(earliest_meeting(1, {3, 7, 0x1p-60}, {.velocity = {7, -3, 1}}, {}), 0x8p60);
+  EXPECT_LE(earliest_contact(1, {3, 7, 0x1p-60}, {.velocity = {7, -3, 1}}, {}), 0x8p60);
 }
 
 Aabb interval(double lower, double upper) { return {{lower, 0, 0}, {upper, 1, 1}}; }
@@ -79,7 +79,7 @@ TEST(ProofConstants, BoxesThatAreHardlyFartherApartThanTheirErrorsMayMeetSoon) {
   const double unit = 0x1p-52;
   const SpaceTimeBox a{interval(-1, -0.51 * unit), {.velocity = {unit, 0, 0}, .position_error = 1}};
   const SpaceTimeBox b{interval(1, 2), {.position_error = 0.49 * unit}};
-  EXPECT_LE(earliest_meeting(a, b), 0.1);
+  EXPECT_LE(earliest_contact(a, b), 0.1);
 }
 
 // The velocities part the two by 1 and half a last place, rounded up, in a unit of time; their errors bring them
@@ -88,7 +88,7 @@ TEST(ProofConstants, BoxesThatPartHardlySlowerThanTheirErrorsMayMeet) {
   const double unit = 0x1p-52;
   const SpaceTimeBox a{interval(-1, 0), {.velocity = {-0.51 * unit, 0, 0}, .velocity_error = 1 + unit}};
   const SpaceTimeBox b{interval(1, 2), {.velocity = {1, 0, 0}, .velocity_error = 0.49 * unit}};
-  EXPECT_LT(earliest_meeting(a, b), 0x1p60);
+  EXPECT_LT(earliest_contact(a, b), 0x1p60);
 }
 
 // A quarter of a last place of 1 is lost when it is added to 1.

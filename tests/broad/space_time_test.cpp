@@ -61,25 +61,25 @@ void expect_apart_until(double told, const Body& a, const Body& b) {
   EXPECT_TRUE(are_apart(a, b, exact(last)));
 }
 
-TEST(EarliestMeeting, OfBallsThatAreThrownAtEachOtherIsTheRootOfTheParabola) {
+TEST(EarliestContact, OfBallsThatAreThrownAtEachOtherIsTheRootOfTheParabola) {
   const SpaceTimeBall a{{{0, 0, 0}, 1}, {.velocity = {1, 0, 0}, .max_acceleration = 2}};
   const SpaceTimeBall b{{{10, 0, 0}, 1}, {.velocity = {-1, 0, 0}, .max_acceleration = 2}};
   const double root = (-2 + std::sqrt(4.0 + 4 * 2 * 8)) / 4;  // 8 - 2 t - 2 t² = 0
-  EXPECT_LE(earliest_meeting(a, b), root);
-  EXPECT_NEAR(earliest_meeting(a, b), root, 1e-9);
-  EXPECT_EQ(earliest_meeting(a, {{{1, 0, 0}, 1}, {}}), 0);
-  EXPECT_EQ(earliest_meeting(SpaceTimeBall{{{0, 0, 0}, 1}, {}}, {{{3, 0, 0}, 1}, {}}), infinity);
-  EXPECT_EQ(earliest_meeting(a, SpaceTimeBall{}), infinity) << "an empty ball";
+  EXPECT_LE(earliest_contact(a, b), root);
+  EXPECT_NEAR(earliest_contact(a, b), root, 1e-9);
+  EXPECT_EQ(earliest_contact(a, {{{1, 0, 0}, 1}, {}}), 0);
+  EXPECT_EQ(earliest_contact(SpaceTimeBall{{{0, 0, 0}, 1}, {}}, {{{3, 0, 0}, 1}, {}}), infinity);
+  EXPECT_EQ(earliest_contact(a, SpaceTimeBall{}), infinity) << "an empty ball";
 }
 
 /// A gap along a direction closes as all of it comes nearer: in rationals, squared where a length comes in.
-TEST(EarliestMeeting, OfAGapNoneMeetsBeforeInExactArithmetic) {
+TEST(EarliestContact, OfAGapNoneMeetsBeforeInExactArithmetic) {
   Random random(5);
   int finite = 0;
   for (int i = 0; i < 2000; ++i) {
     const SpaceTimeMotion a = random_motion(random), b = random_motion(random);
     const Vec3 direction = vector_between(random, -1, 1);
-    const double gap = random.between(0, 4), time = earliest_meeting(gap, direction, a, b);
+    const double gap = random.between(0, 4), time = earliest_contact(gap, direction, a, b);
     if (time == 0) continue;
     finite += time < infinity ? 1 : 0;
     const Rational last = exact(std::min(std::nextafter(time, 0.0), 1e6));
@@ -96,24 +96,24 @@ TEST(EarliestMeeting, OfAGapNoneMeetsBeforeInExactArithmetic) {
   EXPECT_GT(finite, 500);
 }
 
-TEST(EarliestMeeting, OfAGapIsThatAlongItsDirection) {
+TEST(EarliestContact, OfAGapIsThatAlongItsDirection) {
   const SpaceTimeMotion still{}, coming{.velocity = {-2, 5, 0}};
-  EXPECT_NEAR(earliest_meeting(4, {3, 0, 0}, still, coming), 2, 1e-12);
-  EXPECT_EQ(earliest_meeting(4, {-3, 0, 0}, still, coming), infinity);
-  EXPECT_EQ(earliest_meeting(0, {1, 0, 0}, still, coming), 0);
-  EXPECT_THROW(static_cast<void>(earliest_meeting(-1, {1, 0, 0}, still, coming)), Error);
-  EXPECT_THROW(static_cast<void>(earliest_meeting(1, {infinity, 0, 0}, still, coming)), Error);
-  EXPECT_THROW(static_cast<void>(earliest_meeting(1, {1, 0, 0}, still, {.velocity_error = -1})), Error);
+  EXPECT_NEAR(earliest_contact(4, {3, 0, 0}, still, coming), 2, 1e-12);
+  EXPECT_EQ(earliest_contact(4, {-3, 0, 0}, still, coming), infinity);
+  EXPECT_EQ(earliest_contact(0, {1, 0, 0}, still, coming), 0);
+  EXPECT_THROW(static_cast<void>(earliest_contact(-1, {1, 0, 0}, still, coming)), Error);
+  EXPECT_THROW(static_cast<void>(earliest_contact(1, {infinity, 0, 0}, still, coming)), Error);
+  EXPECT_THROW(static_cast<void>(earliest_contact(1, {1, 0, 0}, still, {.velocity_error = -1})), Error);
 }
 
-TEST(EarliestMeeting, OfABallThatPassesIsNever) {
+TEST(EarliestContact, OfABallThatPassesIsNever) {
   const SpaceTimeBall a{{{0, 0, 0}, 1}, {}}, b{{{-10, 2.5, 0}, 1}, {.velocity = {1, 0, 0}}};
-  EXPECT_GT(earliest_meeting(a, b), 1e6);
+  EXPECT_GT(earliest_contact(a, b), 1e6);
   const SpaceTimeBall c{{{-10, 1, 0}, 1}, {.velocity = {1, 0, 0}}};
-  EXPECT_NEAR(earliest_meeting(a, c), 10 - std::sqrt(3.0), 1e-8);
+  EXPECT_NEAR(earliest_contact(a, c), 10 - std::sqrt(3.0), 1e-8);
 }
 
-TEST(EarliestMeeting, OfBallsNoneMeetsBeforeInExactArithmetic) {
+TEST(EarliestContact, OfBallsNoneMeetsBeforeInExactArithmetic) {
   Random random(1);
   int later = 0;
   for (int i = 0; i < 400; ++i) {
@@ -122,8 +122,8 @@ TEST(EarliestMeeting, OfBallsNoneMeetsBeforeInExactArithmetic) {
       return SpaceTimeBall{{centre, random.between(0, 1)}, random_motion(random)};
     };
     const SpaceTimeBall a = body(), b = body();
-    const double told = earliest_meeting(a, b);
-    EXPECT_EQ(told, earliest_meeting(b, a));
+    const double told = earliest_contact(a, b);
+    EXPECT_EQ(told, earliest_contact(b, a));
     expect_apart_until(told, a, b);
     EXPECT_TRUE(told > 0 || !are_apart(a, b, 0));
     // And a little later their horns do meet.
@@ -132,7 +132,7 @@ TEST(EarliestMeeting, OfBallsNoneMeetsBeforeInExactArithmetic) {
   EXPECT_GT(later, 200);
 }
 
-TEST(EarliestMeeting, OfBoxesNoneMeetsBeforeInExactArithmetic) {
+TEST(EarliestContact, OfBoxesNoneMeetsBeforeInExactArithmetic) {
   Random random(2);
   int never = 0, some_time = 0;
   for (int i = 0; i < 400; ++i) {
@@ -141,8 +141,8 @@ TEST(EarliestMeeting, OfBoxesNoneMeetsBeforeInExactArithmetic) {
       return SpaceTimeBox{{centre - half, centre + half}, random_motion(random)};
     };
     const SpaceTimeBox a = body(), b = body();
-    const double told = earliest_meeting(a, b);
-    EXPECT_EQ(told, earliest_meeting(b, a));
+    const double told = earliest_contact(a, b);
+    EXPECT_EQ(told, earliest_contact(b, a));
     expect_apart_until(told, a, b);
     ++(told == infinity ? never : some_time);
   }
@@ -150,7 +150,7 @@ TEST(EarliestMeeting, OfBoxesNoneMeetsBeforeInExactArithmetic) {
   EXPECT_GT(some_time, 200);
 }
 
-TEST(EarliestMeeting, IsNeverTooLateForHugeAndTinyNumbers) {
+TEST(EarliestContact, IsNeverTooLateForHugeAndTinyNumbers) {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     const double size = std::ldexp(1, static_cast<int>(random.below(1900)) - 1000);
@@ -162,42 +162,42 @@ TEST(EarliestMeeting, IsNeverTooLateForHugeAndTinyNumbers) {
       return SpaceTimeBall{{size * vector_between(random, -4, 4), size * random.between(0, 1)}, motion};
     };
     const SpaceTimeBall a = body(), b = body();
-    expect_apart_until(earliest_meeting(a, b), a, b);
+    expect_apart_until(earliest_contact(a, b), a, b);
     const auto box = [](const SpaceTimeBall& ball) {
       return SpaceTimeBox{{ball.ball.centre, ball.ball.centre + Vec3{ball.ball.radius, 0, 0}}, ball.motion};
     };
-    expect_apart_until(earliest_meeting(box(a), box(b)), box(a), box(b));
+    expect_apart_until(earliest_contact(box(a), box(b)), box(a), box(b));
   }
 }
 
-TEST(EarliestMeeting, OfInfiniteAndEmptyBoxes) {
+TEST(EarliestContact, OfInfiniteAndEmptyBoxes) {
   const SpaceTimeBox unit{{{0, 0, 0}, {1, 1, 1}}, {}};
   const SpaceTimeBox below{{{-infinity, -infinity, -infinity}, {infinity, infinity, -1}}, {.velocity = {0, 0, 0.5}}};
-  EXPECT_NEAR(earliest_meeting(unit, below), 2, 1e-12);
-  EXPECT_EQ(earliest_meeting(unit, SpaceTimeBox{}), infinity);
-  EXPECT_EQ(earliest_meeting(below, {{{-infinity, 0, -2}, {infinity, 1, infinity}}, {}}), 0);
+  EXPECT_NEAR(earliest_contact(unit, below), 2, 1e-12);
+  EXPECT_EQ(earliest_contact(unit, SpaceTimeBox{}), infinity);
+  EXPECT_EQ(earliest_contact(below, {{{-infinity, 0, -2}, {infinity, 1, infinity}}, {}}), 0);
 }
 
-TEST(EarliestMeeting, OfBoxesThatPartAndComeBackIsNotTooLate) {
+TEST(EarliestContact, OfBoxesThatPartAndComeBackIsNotTooLate) {
   const auto interval = [](double lower, double upper) { return Aabb{{lower, 0, 0}, {upper, 1, 1}}; };
   for (const double speed : {1.0, 3.0, 5.0, 11.0})
     for (const double acceleration : {3.0, 5.0, 7.0, 11.0, 13.0}) {
       const SpaceTimeBox a{interval(-1, 0), {.max_acceleration = acceleration}};
       const SpaceTimeBox b{interval(0x1p-80, 2), {.velocity = {speed, 0, 0}}};
-      const auto time = exact(earliest_meeting(a, b));
+      const auto time = exact(earliest_contact(a, b));
       EXPECT_GE(exact(0x1p-80) + exact(speed) * time, exact(acceleration / 2) * time * time);
     }
 }
 
 /// Bodies that are driven at random, as wildly as their bounds allow, step by step.
-TEST(EarliestMeeting, HoldsForWhoeverKeepsItsBounds) {
+TEST(EarliestContact, HoldsForWhoeverKeepsItsBounds) {
   Random random(4);
   for (int i = 0; i < 200; ++i) {
     std::array<SpaceTimeBall, 2> bodies;
     for (SpaceTimeBall& body : bodies)
       body = {{vector_between(random, -3, 3), 0.5},
               {.velocity = vector_between(random, -0.1, 0.1), .max_acceleration = random.between(0, 0.02)}};
-    const double told = earliest_meeting(bodies[0], bodies[1]);
+    const double told = earliest_contact(bodies[0], bodies[1]);
     std::array<Vec3, 2> at{bodies[0].ball.centre, bodies[1].ball.centre};
     std::array<Vec3, 2> velocity{bodies[0].motion.velocity, bodies[1].motion.velocity};
     for (double time = 0; time + 1 < std::min(told, 100.0); time += 1) {
@@ -247,16 +247,16 @@ TEST(BoxUntil, HoldsForEverWhatIsAskedForEver) {
   EXPECT_THROW(static_cast<void>(box_until({box, {}}, std::nan(""))), Error);
 }
 
-TEST(EarliestMeeting, RefusesWhatIsNoBound) {
+TEST(EarliestContact, RefusesWhatIsNoBound) {
   const SpaceTimeBox box{{{0, 0, 0}, {1, 1, 1}}, {.max_acceleration = -1}};
   try {
-    static_cast<void>(earliest_meeting(SpaceTimeBox{}, box));
+    static_cast<void>(earliest_contact(SpaceTimeBox{}, box));
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("max_acceleration"), std::string::npos) << error.what();
   }
   EXPECT_THROW(static_cast<void>(box_until({{}, {.velocity_error = infinity}}, 1)), Error);
-  EXPECT_THROW(static_cast<void>(earliest_meeting({{}, {.velocity = {0, infinity, 0}}}, SpaceTimeBall{})), Error);
+  EXPECT_THROW(static_cast<void>(earliest_contact({{}, {.velocity = {0, infinity, 0}}}, SpaceTimeBall{})), Error);
 }
 
 }  // namespace

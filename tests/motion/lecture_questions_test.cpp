@@ -82,11 +82,11 @@ TEST(LectureQuestion, SweptVolumesMeetWhereTwoPassAtDifferentTimes) {
     return may_meet(swept_volume(ball.body, ball.between(0, 1)), swept_volume(box.body, box.between(0, 1)));
   };
   // At the crossing together; there a second too late; and on a way that passes by.
-  EXPECT_EQ(meeting(crossing(-4)), SweptMeeting::maybe);
+  EXPECT_EQ(meeting(crossing(-4)), SweptOverlap::maybe);
   EXPECT_TRUE(first_meeting(ball, crossing(-4)).hit);
-  EXPECT_EQ(meeting(crossing(-6)), SweptMeeting::maybe);
+  EXPECT_EQ(meeting(crossing(-6)), SweptOverlap::maybe);
   EXPECT_FALSE(first_meeting(ball, crossing(-6)).hit);
-  EXPECT_EQ(meeting(crossing(2)), SweptMeeting::never);
+  EXPECT_EQ(meeting(crossing(2)), SweptOverlap::never);
 }
 
 TEST(LectureQuestion, TwoBallsThatMoveMeetWhereTheirDifferenceEntersTheSumOfTheirRadii) {
@@ -105,9 +105,9 @@ TEST(LectureQuestion, TwoBallsThatMoveMeetWhereTheirDifferenceEntersTheSumOfThei
 /// and may meet counts as a meeting.
 double first_by_halving(const Flight& a, const Flight& b, double begin, double end, int& stretches) {
   ++stretches;
-  const SweptMeeting meeting =
+  const SweptOverlap meeting =
       may_meet(swept_volume(a.body, a.between(begin, end)), swept_volume(b.body, b.between(begin, end)));
-  if (meeting == SweptMeeting::never) return 2;
+  if (meeting == SweptOverlap::never) return 2;
   if (end - begin < 1e-4) return begin;
   const double middle = 0.5 * (begin + end);
   const double earlier = first_by_halving(a, b, begin, middle, stretches);

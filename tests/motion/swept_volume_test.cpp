@@ -173,15 +173,15 @@ TEST(SweptVolume, TellsNeverOrMaybeAndCertainOnlyWhereOneRests) {
   const SweptVolume along = swept_volume(ball, RigidMotion::straight(Pose::translation(3, -4, 0), {0, 8, 0}));
   const SweptVolume above = swept_volume(ball, RigidMotion::straight(Pose::translation(-4, 0, 1.5), {8, 0, 0}));
   const SweptVolume pillar = swept_volume(Box({0.5, 0.5, 3}), Pose{});
-  EXPECT_EQ(may_meet(across, along), SweptMeeting::maybe);  // at different times: the one is there first
-  EXPECT_EQ(may_meet(across, above), SweptMeeting::never);
-  EXPECT_EQ(may_meet(across, pillar), SweptMeeting::certain);
+  EXPECT_EQ(may_meet(across, along), SweptOverlap::maybe);  // at different times: the one is there first
+  EXPECT_EQ(may_meet(across, above), SweptOverlap::never);
+  EXPECT_EQ(may_meet(across, pillar), SweptOverlap::certain);
   EXPECT_TRUE(pillar.rests);
   // Within a box that is taken as a surface a ball meets nothing.
   const Model box(generate_mesh("box", {{"half-x", 2}, {"half-y", 2}, {"half-z", 2}}));
   const SweptVolume inside = swept_volume(ball, RigidMotion::straight(Pose{}, {1, 0, 0}));
-  EXPECT_EQ(may_meet(swept_volume(box, Pose{}, {.solid = Solid::none}), inside), SweptMeeting::never);
-  EXPECT_EQ(may_meet(swept_volume(box, Pose{}), inside), SweptMeeting::certain);
+  EXPECT_EQ(may_meet(swept_volume(box, Pose{}, {.solid = Solid::none}), inside), SweptOverlap::never);
+  EXPECT_EQ(may_meet(swept_volume(box, Pose{}), inside), SweptOverlap::certain);
 }
 
 TEST(SweptVolume, OfASpinIsNoLargerThanItsCircle) {

@@ -104,7 +104,7 @@ TEST(ConvexProofConstants, TheDepthOfBoxesAlongNearlyParallelEdgesIsRounded) {
   const Box box({1, 0.5, 0.5});
   const PosedPolytope a(box, {turn_a, {0, 0, 0}});
   const PosedPolytope b(box, {turn_b, {-0x1.d64da64bf8226p-3, -0x1.ace880607c781p-2, -0x1.55b81388f03cfp+0}});
-  MeetingBoxes boxes;
+  OverlappingBoxes boxes;
   const auto found = part_rigid_boxes(view_of(a), view_of(b), 1024, boxes);
   ASSERT_TRUE(found);
   const oracle::Depth depth(hull_of(a), hull_of(b));

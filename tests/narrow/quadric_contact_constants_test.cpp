@@ -9,7 +9,7 @@
 #include "math/constants.hpp"
 #include "narrow/quadrics/distance/axial_box.hpp"
 #include "narrow/quadrics/distance/ellipsoid_pair.hpp"
-#include "narrow/quadrics/distance/fast_meeting.hpp"
+#include "narrow/quadrics/distance/fast_overlap.hpp"
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/fast_proof.hpp"
 #include "narrow/quadrics/distance/fast_refinement.hpp"

@@ -113,30 +113,31 @@ QuickLook::QuickLook(const FineBody& a, const FineBody& b) : a_(a, b.move.centre
   if (b_.normal) speed_ += turn_b * far_;
 }
 
-QuickLook::Parting QuickLook::parting_at(Number time) {
+QuickLook::Separation QuickLook::separation_at(Number time) {
   // Seen from the centre of B, so that what both share of their way does not cost digits.
   a_.place(time, time * b_.way);
   b_.place(time, time * b_.way);
-  Parting parting;
+  Separation separation;
   if (a_.normal || b_.normal) {
-    parting.direction = a_.normal ? Number(-1) * a_.up : b_.up;
-    const Point low = farthest(a_.now, Number(-1) * parting.direction), high = farthest(b_.now, parting.direction);
-    parting.gap = dot(parting.direction, a_.normal ? a_.now.vertices[0] - high : low - b_.now.vertices[0]);
-    parting.meet = parting.gap < -slack_;
-    return parting;
+    separation.direction = a_.normal ? Number(-1) * a_.up : b_.up;
+    const Point low = farthest(a_.now, Number(-1) * separation.direction),
+                high = farthest(b_.now, separation.direction);
+    separation.gap = dot(separation.direction, a_.normal ? a_.now.vertices[0] - high : low - b_.now.vertices[0]);
+    separation.meet = separation.gap < -slack_;
+    return separation;
   }
   const auto near = fine_nearness(a_.now, b_.now, 1e-6, 100, last_direction_);
-  parting.meet = near.meet && surely_holds_origin(near.around, slack_);
-  if (near.meet || !(near.lower > 0)) return parting;
-  parting.direction = (1 / length(near.direction)) * near.direction;
-  parting.gap = near.lower;
-  return parting;
+  separation.meet = near.meet && surely_holds_origin(near.around, slack_);
+  if (near.meet || !(near.lower > 0)) return separation;
+  separation.direction = (1 / length(near.direction)) * near.direction;
+  separation.gap = near.lower;
+  return separation;
 }
 
 QuickLook::Sight QuickLook::at(double time) {
-  const Parting parting = parting_at(time);
-  if (parting.meet) return Sight::meet;
-  return parting.gap > slack_ ? Sight::apart : Sight::unclear;
+  const Separation separation = separation_at(time);
+  if (separation.meet) return Sight::meet;
+  return separation.gap > slack_ ? Sight::apart : Sight::unclear;
 }
 
 // Two points x of A and y of B keep apart along a direction n that turns with some angular velocity w: with r = x − y
@@ -144,8 +145,8 @@ QuickLook::Sight QuickLook::at(double time) {
 // r″ is at most |w|² far + 2 |w| speed + bend. Without the latter the height of two points goes evenly, and the least
 // of all heights within some time of the middle is that of one of the ends. The rate of x is way + rate × (x − centre),
 // and n · (rate × (x − centre)) = (n × rate) · (x − centre), so the least height is a support of A and one of B.
-QuickLook::Number QuickLook::least_at(const Parting& parting, const Point& turning, Number later) const {
-  const Point& n = parting.direction;
+QuickLook::Number QuickLook::least_at(const Separation& separation, const Point& turning, Number later) const {
+  const Point& n = separation.direction;
   const Point of_a = cross(n, a_.rate * a_.axis), of_b = cross(n, b_.rate * b_.axis), of_n = cross(n, turning);
   const Point to_a = n + later * (of_a - of_n), to_b = n + later * (of_b - of_n);
   // A radius is taken along directions that are longer than n: rather too much of it.
@@ -154,28 +155,29 @@ QuickLook::Number QuickLook::least_at(const Parting& parting, const Point& turni
   return (low - high) + later * even;
 }
 
-bool QuickLook::stays_apart(const Parting& parting, const Point& turning, Number half) const {
+bool QuickLook::stays_apart(const Separation& separation, const Point& turning, Number half) const {
   const Number w = length(turning), bending = w * w * far_ + 2 * w * speed_ + bend_;
   const Number turns = w + std::abs(a_.rate) + std::abs(b_.rate);
   const Number lost = half * half / 2 * bending * (1 + 0x1p-50L) + slack_ * (1 + half * turns);
-  return parting.gap > lost && least_at(parting, turning, -half) > lost && least_at(parting, turning, half) > lost;
+  return separation.gap > lost && least_at(separation, turning, -half) > lost &&
+         least_at(separation, turning, half) > lost;
 }
 
 bool QuickLook::apart_around(double middle, double half) {
-  const Parting parting = parting_at(middle);
-  if (!(parting.gap > slack_)) return false;
-  const Point& n = parting.direction;
+  const Separation separation = separation_at(middle);
+  if (!(separation.gap > slack_)) return false;
+  const Point& n = separation.direction;
   // As the direction was seen to turn between two looks, of which the last was beside this one.
   const Number since = Number(middle) - last_time_;
   const Point seen = last_time_ < 0 || since == 0 ? Point{} : (1 / since) * cross(last_direction_, n);
   last_time_ = middle;
   last_direction_ = n;
-  if (parting.gap > speed_ * Number(half) + slack_) return true;
+  if (separation.gap > speed_ * Number(half) + slack_) return true;
   const Point with_a = a_.rate * a_.axis, with_b = b_.rate * b_.axis;
-  if (a_.normal) return stays_apart(parting, with_a, half);
-  if (b_.normal) return stays_apart(parting, with_b, half);
-  return stays_apart(parting, seen, half) || stays_apart(parting, {}, half) || stays_apart(parting, with_a, half) ||
-         stays_apart(parting, with_b, half);
+  if (a_.normal) return stays_apart(separation, with_a, half);
+  if (b_.normal) return stays_apart(separation, with_b, half);
+  return stays_apart(separation, seen, half) || stays_apart(separation, {}, half) ||
+         stays_apart(separation, with_a, half) || stays_apart(separation, with_b, half);
 }
 
 }  // namespace toccata::oracle

@@ -46,16 +46,16 @@ class QuickLook {
   };
 
   /// They are apart by `gap` along the direction, which has the length 1 and leads from B to A.
-  struct Parting {
+  struct Separation {
     Number gap = 0;
     Point direction{};
     bool meet = false;
     SimplexOf<Number> around;
   };
 
-  [[nodiscard]] Parting parting_at(Number time);
-  [[nodiscard]] bool stays_apart(const Parting& parting, const Point& turning, Number half) const;
-  [[nodiscard]] Number least_at(const Parting& parting, const Point& turning, Number later) const;
+  [[nodiscard]] Separation separation_at(Number time);
+  [[nodiscard]] bool stays_apart(const Separation& separation, const Point& turning, Number half) const;
+  [[nodiscard]] Number least_at(const Separation& separation, const Point& turning, Number later) const;
 
   Body a_, b_;
   Number far_ = 0;  ///< no point of one is ever farther from a point of the other; of a half-space, from its point

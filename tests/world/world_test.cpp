@@ -37,6 +37,23 @@ std::string complaint_of(const Call& call) {
   return {};
 }
 
+/// Its pose is composed with a turn frame after frame, as programs do, and not made from an angle each time.
+TEST(World, TakesAPoseComposedForTenThousandFrames) {
+  const Pose turn{rotation_about({1, 2, 3}, 0.7), {}};
+  World world({.distance = true});
+  const BodyId turned = world.add({Rounded(Box({1, 1, 1}), 0.25)});
+  world.add(ball_at(0, 1.5));
+  Pose pose;
+  std::size_t told = 0;
+  for (int frame = 0; frame < 10000; ++frame) {
+    pose = turn * pose;
+    world.move(turned, pose);
+    told += world.step().begin.size() + world.last_step().persist.size();
+  }
+  EXPECT_EQ(told, 10000U);
+  EXPECT_NE(pose.linear, nearest_rotation(pose.linear)) << "it has drifted";
+}
+
 TEST(World, TellsWhatBeginsStaysAndEnds) {
   World world;
   const std::vector<BodyId> ids = world.add(std::array{ball_at(0), ball_at(2), ball_at(5)});

@@ -43,7 +43,7 @@ struct SpaceTimeBox {
 /// A time before which two bodies do not meet that a gap parts now, proved: along the direction, from the first to the
 /// second and of any length but 0, all of the second is farther by `gap` than all of the first. +∞ where the gap never
 /// closes. Throws Error as below, and when the gap or the direction is not finite, or the gap negative.
-[[nodiscard]] double earliest_meeting(double gap, const Vec3& direction, const SpaceTimeMotion& a,
+[[nodiscard]] double earliest_contact(double gap, const Vec3& direction, const SpaceTimeMotion& a,
                                       const SpaceTimeMotion& b);
 
 /// A time before which the two have no point in common, proved: at most the time at which their horns first touch, 0
@@ -51,8 +51,8 @@ struct SpaceTimeBox {
 /// and is mostly that time but for 2⁻³⁰ of it; where the horns barely graze or pass each other it may be earlier. Of
 /// boxes it is the latest time at which along some axis their horns first touch, which may be earlier too. Throws Error
 /// naming a number that is not finite, or negative and an error.
-[[nodiscard]] double earliest_meeting(const SpaceTimeBall& a, const SpaceTimeBall& b);
-[[nodiscard]] double earliest_meeting(const SpaceTimeBox& a, const SpaceTimeBox& b);
+[[nodiscard]] double earliest_contact(const SpaceTimeBall& a, const SpaceTimeBall& b);
+[[nodiscard]] double earliest_contact(const SpaceTimeBox& a, const SpaceTimeBox& b);
 
 /// Contains the body at all times from 0 to `until`, which may be infinite: the box around the part of its horn,
 /// rounded outward. Throws Error for a motion as above, and when `until` is negative or no number.

@@ -49,7 +49,7 @@ struct SweptVolume {
                                        const SweptVolumeOptions& options = {});
 
 /// What the volumes of two bodies tell of their meeting.
-enum class SweptMeeting : std::uint8_t {
+enum class SweptOverlap : std::uint8_t {
   never,    ///< they have no point in common at any time in [0, 1], also when each moves at a pace of its own
   maybe,    ///< both pass a place, or nearly; perhaps at different times
   certain,  ///< one rests and the other's volume is exact: they meet
@@ -57,6 +57,6 @@ enum class SweptMeeting : std::uint8_t {
 
 /// Whether two bodies may meet on the way: do their volumes overlap? That says no more than *maybe*, but where one
 /// rests and both volumes are exact. `sweep` tells which, and when.
-[[nodiscard]] SweptMeeting may_meet(const SweptVolume& a, const SweptVolume& b);
+[[nodiscard]] SweptOverlap may_meet(const SweptVolume& a, const SweptVolume& b);
 
 }  // namespace toccata

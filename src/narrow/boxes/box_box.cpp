@@ -30,7 +30,7 @@ std::optional<bool> is_first(const GivenBox& a, const GivenBox& b) {
 
 /// In canonical order.
 std::optional<Penetration> formula_depth(const GivenBox& a, const GivenBox& b) {
-  MeetingBoxes found;
+  OverlappingBoxes found;
   if (const std::optional<CoreSeparation> core = part_rigid_boxes(a.view, b.view, 0, found))
     return offset_outward(*core, 0, 0);
   if (found.nearness != Nearness::meet) return {};

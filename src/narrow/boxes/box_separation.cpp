@@ -183,7 +183,7 @@ bool others_are_deeper(const BoxView& a, const BoxView& b, const RigidBoxAxes& a
 
 /// Where corners' rounding is seen: by the facet of the least axis alone, with more digits.
 std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const PosedPolytope& b,
-                                                 const MeetingBoxes& found) {
+                                                 const OverlappingBoxes& found) {
   if (found.nearness != Nearness::meet) return {};
   const std::optional<PreciseFacet> facet = precise_facet(a, b, facet_corners(a, b, found.least));
   if (!facet) return {};
@@ -273,11 +273,11 @@ EdgePoints points_of_edges(const BoxView& a, const BoxView& b, const ChosenBoxAx
 }
 
 std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach_of_radii,
-                                               MeetingBoxes& found) {
+                                               OverlappingBoxes& found) {
   if (!is_rigid_and_plain(a) || !is_rigid_and_plain(b)) return {};
   const RigidBoxAxes& axes = found.axes;
   found.nearness = nearness_of_rigid_boxes(a, b, found.axes);
-  if (found.nearness == Nearness::apart && reach_of_radii == 0) return parted_along(a, b, axes.parting);
+  if (found.nearness == Nearness::apart && reach_of_radii == 0) return parted_along(a, b, axes.separating_axis);
   if (found.nearness != Nearness::meet) return {};
   const ChosenBoxAxis& axis = found.least = least_axis(a, b, axes, 1);
   const Vec3 d = b.box->centre - a.box->centre, &n = axis.direction;
@@ -307,7 +307,7 @@ std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& 
 }
 
 std::optional<Penetration> penetration_of_close_boxes(const PosedPolytope& a, const PosedPolytope& b,
-                                                      const MeetingBoxes& found) {
+                                                      const OverlappingBoxes& found) {
   if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return aligned->penetration;
   const std::optional<CoreSeparation> core = part_shallow_boxes(a, b, found);
   return core ? std::optional(offset_outward(*core, a.radius(), b.radius())) : std::nullopt;
@@ -320,7 +320,7 @@ std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const Po
     const std::optional<Penetration> exchanged = penetration_of_boxes(b, a);
     return exchanged ? flipped(*exchanged) : exchanged;
   }
-  MeetingBoxes found;
+  OverlappingBoxes found;
   if (const auto core = part_rigid_boxes(view_of(a), view_of(b), a.radius() + b.radius(), found))
     return offset_outward(*core, a.radius(), b.radius());
   return penetration_of_close_boxes(a, b, found);

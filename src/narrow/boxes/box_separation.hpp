@@ -40,7 +40,7 @@ struct EdgePoints {
 [[nodiscard]] Index farthest_corner(const BoxView& box, const Vec3& direction);
 
 /// What the axes tell of two boxes, once for all ways in which their depth may be found.
-struct MeetingBoxes {
+struct OverlappingBoxes {
   Nearness nearness = Nearness::unknown;
   RigidBoxAxes axes;    ///< of boxes that are not certainly apart
   ChosenBoxAxis least;  ///< of boxes that certainly meet
@@ -50,11 +50,11 @@ struct MeetingBoxes {
 /// `reach` in sum. Of boxes without radii that are certainly apart, a direction that parts them, and their corners that
 /// are farthest along it. In canonical order of the two.
 [[nodiscard]] std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach,
-                                                             MeetingBoxes& found);
+                                                             OverlappingBoxes& found);
 
 /// Of boxes in canonical order for which `part_rigid_boxes` has nothing.
 [[nodiscard]] std::optional<Penetration> penetration_of_close_boxes(const PosedPolytope& a, const PosedPolytope& b,
-                                                                    const MeetingBoxes& found);
+                                                                    const OverlappingBoxes& found);
 
 /// In any order; nothing where one is no box, too.
 [[nodiscard]] std::optional<Penetration> penetration_of_boxes(const PosedPolytope& a, const PosedPolytope& b);

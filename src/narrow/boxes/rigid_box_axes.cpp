@@ -202,7 +202,7 @@ HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& erro
 }
 
 /// Of boxes that are apart. Where no face parts them all axes have been filled in.
-HWY_INLINE Index place_of_parting(const AxesInRows& axes, double error) {
+HWY_INLINE Index place_of_separating_axis(const AxesInRows& axes, double error) {
   const auto apart = [&](const Row& overlap, unsigned first) {
     return (bits_of(overlap < row_of(-error)) & 7U) << first;
   };
@@ -258,7 +258,7 @@ Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes
   AxesInRows axes;
   const Nearness nearness = look_along_axes(boxes, error, axes);
   if (nearness == Nearness::apart) {
-    if (storing == Storing::always) stored.parting = place_of_parting(axes, error.error);
+    if (storing == Storing::always) stored.separating_axis = place_of_separating_axis(axes, error.error);
     return nearness;
   }
   if (storing == Storing::always || nearness == Nearness::unknown) store_all(axes, error.error, stored);

@@ -55,7 +55,7 @@ struct RigidBoxAxes {
   Index least_face;   ///< of the three of A, then of B
   Index least_edges;  ///< 3 · edge of A + edge of B; a nearly parallel pair only where there is no other
   /// Of boxes that are apart this alone: an axis that parts them; a face as above, or 6 more than an edge pair.
-  Index parting;
+  Index separating_axis;
 
   /// The square of the sine of the angle between edges.
   [[nodiscard]] double squared_sine(std::size_t i, std::size_t j) const {

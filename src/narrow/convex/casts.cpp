@@ -9,7 +9,7 @@
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/cast_until.hpp"
 #include "narrow/convex/gjk.hpp"
-#include "narrow/convex/swept_meeting.hpp"
+#include "narrow/convex/swept_overlap.hpp"
 #include "narrow/convex/time_width.hpp"
 #include "narrow/exact/nearest_certificate.hpp"
 #include "toccata/core/error.hpp"
@@ -30,7 +30,7 @@ struct Separation {
 };
 
 /// A time by which the shapes have met, and where.
-struct CastMeeting {
+struct CastContact {
   double time = 0;
   Vec3 point;
   Vec3 across{};  ///< a direction at right angles to both there
@@ -168,12 +168,12 @@ class ShapeCast {
     normal_ = -direction;
   }
 
-  [[nodiscard]] bool is_soon(const std::optional<CastMeeting>& meeting, double width) const {
+  [[nodiscard]] bool is_soon(const std::optional<CastContact>& meeting, double width) const {
     return meeting && meeting->time <= 1 && meeting->time - free_until_ <= width;
   }
 
   /// A time by which the shapes have certainly met, soon enough after the one until which they are free.
-  std::optional<CastMeeting> certain_meeting() {
+  std::optional<CastContact> certain_meeting() {
     if (a_.radius() + b_.radius() == 0) return met_by_triangles();
     const auto met = met_by_nearness(time_width);
     if (is_soon(met, greatest_width)) return met;
@@ -210,7 +210,7 @@ class ShapeCast {
   }
 
   /// The cores are nearer than the radii reach, a little later.
-  [[nodiscard]] std::optional<CastMeeting> met_by_nearness(double width) const {
+  [[nodiscard]] std::optional<CastContact> met_by_nearness(double width) const {
     if (!a_.in_world()) return {};
     const double late = std::fmin(1, free_until_ + width);
     const PosedPolytope moved = a_.moved(late * motion_);
@@ -221,12 +221,12 @@ class ShapeCast {
     if (!(distance + roughly_rounded_by() < least_reach) && !(distance + rounded_by(late, moved) < least_reach))
       return {};
     const Vec3 grown = (b_.radius() / distance) * high_parts(nearest->difference);
-    return CastMeeting{late, high_parts(nearest->on_b) + grown};
+    return CastContact{late, high_parts(nearest->on_b) + grown};
   }
 
   /// The way passes through a triangle of the Minkowski difference: three exact signs. When, is enclosed; and its plane
   /// is the one that keeps the shapes apart until then, if it is a face of the difference.
-  std::optional<CastMeeting> met_by_triangles() {
+  std::optional<CastContact> met_by_triangles() {
     for (std::size_t without = 0; without < 4 && last_.size >= 3; ++without) {
       VertexPairs triangle;
       for (std::size_t i = 0; i < last_.size; ++i)
@@ -240,7 +240,7 @@ class ShapeCast {
     return {};
   }
 
-  [[nodiscard]] std::optional<CastMeeting> met_by_triangle(const VertexPairs& pairs) const {
+  [[nodiscard]] std::optional<CastContact> met_by_triangle(const VertexPairs& pairs) const {
     std::array<Difference, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) corner[i] = {b_.vertex(pairs.b[i]), a_.vertex(pairs.a[i])};
     int left = 0, right = 0;
@@ -257,7 +257,7 @@ class ShapeCast {
     if (!time.is_positive()) return {};  // the triangle lies behind
     const double late = ceiling_of(time);
     if (!std::isfinite(late)) return {};
-    return CastMeeting{late, point_of_b(pairs, c), high_parts(normal)};
+    return CastContact{late, point_of_b(pairs, c), high_parts(normal)};
   }
 
   /// The way's point in a triangle of differences, as the point of B with the same weights, rounded.
@@ -289,7 +289,7 @@ class ShapeCast {
     return late;
   }
 
-  [[nodiscard]] Cast met(const CastMeeting& meeting) const {
+  [[nodiscard]] Cast met(const CastContact& meeting) const {
     Cast cast;
     cast.hit = true;
     cast.lower = free_until_;

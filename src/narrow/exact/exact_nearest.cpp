@@ -4,7 +4,7 @@
 
 #include "narrow/exact/exact_simplex.hpp"
 #include "narrow/exact/exact_support.hpp"
-#include "narrow/triangles/face_meeting.hpp"
+#include "narrow/triangles/face_intersection.hpp"
 
 namespace toccata {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "narrow/boxes/box_features.hpp"
 #include "narrow/boxes/box_slack.hpp"
-#include "narrow/primitives/grown_cores.hpp"
+#include "narrow/primitives/offset_core_pair.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
@@ -90,7 +90,7 @@ struct BesideBox {
   }
 };
 
-HWY_INLINE double frame_error(const OneBlock& block, const OneVector& from_centre) {
+HWY_INLINE double local_frame_error(const OneBlock& block, const OneVector& from_centre) {
   return 0x1p-40 * first_of(sum_of(plus(magnitudes_of(from_centre), magnitudes_of(block.half)))) +
          (2 * block.slack + nearness_floor);
 }
@@ -160,8 +160,8 @@ HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
 }
 
 /// A point that is certainly outside of the box.
-HWY_NOINLINE GrownCores<2, 1> cores_beside(const OneBall& a, const OneBlock& b, const BesideBox& beside_b,
-                                           bool& is_certain) {
+HWY_NOINLINE OffsetCorePair<2, 1> cores_beside(const OneBall& a, const OneBlock& b, const BesideBox& beside_b,
+                                               bool& is_certain) {
   const BoxSide side = side_of(b, beside_b, a.centre);
   is_certain = side.is_certain;
   return {{a.centre, side.corner, side.edge, {side.beyond}, b.slack},
@@ -292,7 +292,7 @@ HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock& b) {
   const OneVector local = b.local(from), way = b.local(along);
   const SlopeAlong slope{numbers_of(local), numbers_of(way), numbers_of(b.half)};
   RodBesideBox rod{{}, slope.way, nearest_share(slope)};
-  const double error = frame_error(b, plus(magnitudes_of(from), magnitudes_of(along)));
+  const double error = local_frame_error(b, plus(magnitudes_of(from), magnitudes_of(along)));
   rod.nearest = beside(plus(local, scaled(rod.share, way)), b.half, error);
   const double left = first_of(slope(all<OneNumber>(rod.share)));
   const double down = rod.share > 0 ? left : 0, up = rod.share < 1 ? -left : 0;
@@ -303,8 +303,8 @@ HWY_INLINE RodBesideBox beside(const OneRod& a, const OneBlock& b) {
 }
 
 /// From within the segment, an edge of the box or a corner is seen.
-HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
-                                         bool& is_certain) {
+HWY_INLINE OffsetCorePair<2, 2> cores_within(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
+                                             bool& is_certain) {
   const BesideBox& at = rod.nearest;
   std::size_t k = at.beyond[1] < at.beyond[0] ? 1 : 0;
   k = at.beyond[2] < at.beyond[k] ? 2 : k;
@@ -327,8 +327,8 @@ HWY_INLINE GrownCores<2, 2> cores_within(const OneRod& a, const OneBlock& b, con
           feature_of(at)};
 }
 
-HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
-                                         bool& is_certain) {
+HWY_INLINE OffsetCorePair<2, 2> cores_at_end(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
+                                             bool& is_certain) {
   const bool at_end = rod.share >= 1;
   const OneVector point = select(at_end, a.end, a.start), other = select(at_end, a.start, a.end);
   const BoxSide side = side_of(b, rod.nearest, point);
@@ -343,8 +343,8 @@ HWY_INLINE GrownCores<2, 2> cores_at_end(const OneRod& a, const OneBlock& b, con
 }
 
 /// The segment does not reach the box.
-HWY_NOINLINE GrownCores<2, 2> cores_beside(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
-                                           bool& is_certain) {
+HWY_NOINLINE OffsetCorePair<2, 2> cores_beside(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
+                                               bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
 }

@@ -91,7 +91,7 @@ HWY_NOINLINE Manifold manifold_outside(const Core& a, const OneBlock& b, const B
 HWY_INLINE Penetration depth_for(const OneBall& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_depth();
   const OneVector from = minus(a.centre, b.centre);
-  const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
+  const BesideBox at = beside(b.local(from), b.half, local_frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return across_gap(a.centre, a.radius, b, at);
   if (!contact.is_outside) return depth_within(way_out(b, at, a.centre, from), a.radius, b.radius);
@@ -114,7 +114,7 @@ HWY_INLINE Penetration depth_for(const OneRod& a, const OneBlock& b) {
 
 HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock& b) {
   const OneVector from = minus(a.centre, b.centre);
-  const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
+  const BesideBox at = beside(b.local(from), b.half, local_frame_error(b, from));
   if (!(at.beyond[at.across] > at.error)) return unknown_distance();
   return distance_outside(a, b, at);
 }
@@ -143,7 +143,7 @@ HWY_INLINE Manifold manifold_within(const WayOut& way, double radius_a, double r
 HWY_INLINE Manifold manifold_for(const OneBall& a, const OneBlock& b) {
   if (!is_thick(b)) return unknown_manifold();
   const OneVector from = minus(a.centre, b.centre);
-  const BesideBox at = beside(b.local(from), b.half, frame_error(b, from));
+  const BesideBox at = beside(b.local(from), b.half, local_frame_error(b, from));
   const FrameContact contact = frame_contact(at, at.squared, a.radius + b.radius);
   if (contact.is_apart) return {};
   if (!contact.is_outside) return manifold_within(way_out(b, at, a.centre, from), a.radius, b.radius);

@@ -6,7 +6,7 @@
 #include <hwy/highway.h>
 
 #include "narrow/convex/convex_of.hpp"
-#include "narrow/primitives/grown_cores.hpp"
+#include "narrow/primitives/offset_core_pair.hpp"
 #include "toccata/narrow/primitives.hpp"
 
 HWY_BEFORE_NAMESPACE();

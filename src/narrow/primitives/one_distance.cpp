@@ -10,7 +10,7 @@
 #include "narrow/boxes/box_corners.hpp"
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/convex/convex_of.hpp"
-#include "narrow/primitives/grown_cores.hpp"
+#include "narrow/primitives/offset_core_pair.hpp"
 #include "narrow/primitives/pair_depths.hpp"
 #include "narrow/primitives/pair_distances.hpp"
 #include "narrow/triangles/offset_cores.hpp"

@@ -72,7 +72,7 @@ struct PreciseVector {
   TwoNumbers x, y, z;
 };
 
-HWY_INLINE PreciseVector exact_difference(const Vector& a, const Vector& b) {
+HWY_INLINE PreciseVector precise_difference(const Vector& a, const Vector& b) {
   const Vector away = negative(b);
   return {two_sum(a.x, away.x), two_sum(a.y, away.y), two_sum(a.z, away.z)};
 }
@@ -124,8 +124,8 @@ HWY_INLINE Differences differences(const TriangleVertices& a, const TriangleVert
   const Choice kind{is_from(9, 11), is_from(12, 14)};
   const Vector at_a = of_a.of(a[0], a[1], a[2]), after_a = of_a.of(a[1], a[2], a[0]);
   const Vector at_b = of_b.of(b[0], b[1], b[2]), after_b = of_b.of(b[1], b[2], b[0]);
-  return {exact_difference(at_a, at_b), exact_difference(kind.of(after_a, b[0], a[1]), kind.of(at_a, b[1], a[0])),
-          exact_difference(kind.of(at_b, b[0], a[2]), kind.of(after_b, b[2], a[0])), is_from(9, 14)};
+  return {precise_difference(at_a, at_b), precise_difference(kind.of(after_a, b[0], a[1]), kind.of(at_a, b[1], a[0])),
+          precise_difference(kind.of(at_b, b[0], a[2]), kind.of(after_b, b[2], a[0])), is_from(9, 14)};
 }
 
 /// Two shares, each the sum of two doubles.
@@ -176,10 +176,10 @@ HWY_INLINE ReachedDifference stepped(const Differences& d, const ReachedDifferen
 /// How far apart the triangles are along a difference, times its length.
 HWY_INLINE TwoNumbers height(const PreciseVector& along, const TriangleVertices& a, const TriangleVertices& b) {
   const Vector& origin = b[0];
-  TwoNumbers least = dot(along, exact_difference(a[0], origin)), greatest{hn::Zero(tag), hn::Zero(tag)};
+  TwoNumbers least = dot(along, precise_difference(a[0], origin)), greatest{hn::Zero(tag), hn::Zero(tag)};
   for (std::size_t i = 1; i < 3; ++i) {
-    const TwoNumbers of_a = dot(along, exact_difference(a[i], origin));
-    const TwoNumbers of_b = dot(along, exact_difference(b[i], origin));
+    const TwoNumbers of_a = dot(along, precise_difference(a[i], origin));
+    const TwoNumbers of_b = dot(along, precise_difference(b[i], origin));
     least = select(is_less(of_a, least), of_a, least);
     greatest = select(is_less(greatest, of_b), of_b, greatest);
   }

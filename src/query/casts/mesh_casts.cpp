@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "narrow/quadrics/casts/quadric_cast_until.hpp"
-#include "narrow/triangles/parting_normal.hpp"
+#include "narrow/triangles/separating_normal.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
 #include "query/meshes/pair_search.hpp"
@@ -165,7 +165,7 @@ std::optional<ShapeHit> surfaces_at_start(const PosedMesh& a, const PosedMesh& b
   visit_surface_contacts(a, b, scratch, [&](const Contact& contact) {
     const Triangle of_a = a.triangle(contact.triangle_a), of_b = b.triangle(contact.triangle_b);
     met = at_start(intersection_points(contact.intersection, of_a, of_b).points[0]);
-    met->normal = parting_normal(of_a, of_b);
+    met->normal = separating_normal(of_a, of_b);
     if (met->normal == Vec3{}) met->normal = start_normal(PosedPolytope(of_a), PosedPolytope(of_b));
     std::tie(met->element_a, met->element_b) = std::tie(contact.triangle_a, contact.triangle_b);
     std::tie(met->face_a, met->face_b) = std::tie(contact.face_a, contact.face_b);

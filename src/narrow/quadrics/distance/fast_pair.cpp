@@ -2,7 +2,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/close_rise.hpp"
-#include "narrow/quadrics/distance/fast_meeting.hpp"
+#include "narrow/quadrics/distance/fast_overlap.hpp"
 
 namespace toccata {
 namespace {

@@ -1,4 +1,4 @@
-#include "narrow/triangles/parting_normal.hpp"
+#include "narrow/triangles/separating_normal.hpp"
 
 #include <array>
 #include <tuple>
@@ -48,8 +48,8 @@ bool comes_first(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-Vec3 parting_normal(const Triangle& a, const Triangle& b) {
-  if (comes_first(b, a)) return Vec3{} - parting_normal(b, a);
+Vec3 separating_normal(const Triangle& a, const Triangle& b) {
+  if (comes_first(b, a)) return Vec3{} - separating_normal(b, a);
   const std::array edges_a{a[1] - a[0], a[2] - a[1], a[0] - a[2]};
   const std::array edges_b{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
   LeastOverlap least(a, b);

@@ -8,6 +8,6 @@ namespace toccata {
 /// directions along which two triangles in space can be parted, the two normals and those across two edges (S.
 /// Gottschalk, "Separating axis theorem", 1996), it is that of the least overlap, rounded; the other way round for the
 /// two exchanged. Zero where both are without area, or where squares of coordinates are no doubles.
-[[nodiscard]] Vec3 parting_normal(const Triangle& a, const Triangle& b);
+[[nodiscard]] Vec3 separating_normal(const Triangle& a, const Triangle& b);
 
 }  // namespace toccata

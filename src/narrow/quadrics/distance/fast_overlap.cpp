@@ -1,4 +1,4 @@
-#include "narrow/quadrics/distance/fast_meeting.hpp"
+#include "narrow/quadrics/distance/fast_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>

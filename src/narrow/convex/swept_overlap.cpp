@@ -1,4 +1,4 @@
-#include "narrow/convex/swept_meeting.hpp"
+#include "narrow/convex/swept_overlap.hpp"
 
 #include <algorithm>
 #include <initializer_list>

@@ -27,7 +27,7 @@ namespace {
 
 /// Two cores grown by their radii, and which of their features may be the nearest.
 template <std::size_t edges, std::size_t ways = 0>
-struct GrownCores {
+struct OffsetCorePair {
   CoreFeatures<edges, ways> features;
   double radius_a, radius_b;
   OneVector on_a, on_b;  ///< the nearest points, rounded
@@ -44,7 +44,7 @@ struct PlainContact {
 /// The length is off by less than 2^-48 of the size, and by the square of what the difference is off by across; where
 /// that is less than the one and the length not far less than the size, their sum is far below the error.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE PlainContact<edges> plain_contact(const GrownCores<edges, ways>& cores) {
+HWY_INLINE PlainContact<edges> plain_contact(const OffsetCorePair<edges, ways>& cores) {
   PlainContact<edges> contact{plain_gap(cores.features)};
   const double reach = cores.radius_a + cores.radius_b, size = contact.gap.size, squared = contact.gap.squared;
   const double error = 0x1p-46 * (size + reach) + nearness_floor, outer = reach + error, inner = reach - error;
@@ -69,14 +69,14 @@ HWY_INLINE DoubleBelow double_below(const TwoPart& number, double off) {
 
 /// The sum of the radii less the length.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE TwoPart depth_between(const PreciseGap& gap, const GrownCores<edges, ways>& cores) {
+HWY_INLINE TwoPart depth_between(const PreciseGap& gap, const OffsetCorePair<edges, ways>& cores) {
   const TwoPart reach = two_sum(cores.radius_a, cores.radius_b), rest = two_difference(reach.high, gap.length.high);
   return two_sum(rest.high, (rest.low + reach.low) - gap.length.low);
 }
 
 /// What that is off by: two roundings of what is below the last places.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE double depth_error(const PreciseGap& gap, const GrownCores<edges, ways>& cores) {
+HWY_INLINE double depth_error(const PreciseGap& gap, const OffsetCorePair<edges, ways>& cores) {
   return gap.off + 0x1p-100 * (cores.radius_a + cores.radius_b);
 }
 
@@ -92,7 +92,7 @@ HWY_INLINE OneVector unit_along_axis(const OneVector& v) {
 
 /// Bounds as `rounded_depth` has them; those of shapes that are apart are 0.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE Penetration depth_of(const GrownCores<edges, ways>& cores) {
+HWY_INLINE Penetration depth_of(const OffsetCorePair<edges, ways>& cores) {
   const PlainContact<edges> contact = plain_contact(cores);
   OneVector direction;
   double lower = 0, upper = 0;
@@ -122,7 +122,7 @@ HWY_INLINE Penetration depth_of(const GrownCores<edges, ways>& cores) {
 
 /// Of shapes that are apart: neighbouring doubles around their distance.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE Distance distance_of(const GrownCores<edges, ways>& cores) {
+HWY_INLINE Distance distance_of(const OffsetCorePair<edges, ways>& cores) {
   const PlainContact<edges> contact = plain_contact(cores);
   const PreciseGap gap = precise_gap(cores.features, contact.gap);
   const TwoPart depth = depth_between(gap, cores);
@@ -139,7 +139,7 @@ HWY_INLINE Distance distance_of(const GrownCores<edges, ways>& cores) {
 
 /// A single point: nothing is promised of its last digits.
 template <std::size_t edges, std::size_t ways>
-HWY_INLINE Manifold manifold_of(const GrownCores<edges, ways>& cores) {
+HWY_INLINE Manifold manifold_of(const OffsetCorePair<edges, ways>& cores) {
   const PlainContact<edges> contact = plain_contact(cores);
   if (contact.is_apart) return {};
   if (!contact.is_meeting) return unknown_manifold();
@@ -195,11 +195,11 @@ HWY_INLINE OneRod in_world(const Capsule& shape, const Pose& pose) {
   return {placing(shape.start()), placing(shape.end()), shape.radius()};
 }
 
-HWY_INLINE GrownCores<0> cores_of(const OneBall& a, const OneBall& b) {
+HWY_INLINE OffsetCorePair<0> cores_of(const OneBall& a, const OneBall& b) {
   return {{a.centre, b.centre, {}}, a.radius, b.radius, a.centre, b.centre};
 }
 
-HWY_INLINE GrownCores<1> cores_of(const OneBall& a, const OneRod& b) {
+HWY_INLINE OffsetCorePair<1> cores_of(const OneBall& a, const OneRod& b) {
   const OneVector edge = minus(b.end, b.start);
   const double inverse = 1 / first_of(dot(edge, edge)),
                share = clamped_to_share(first_of(dot(minus(a.centre, b.start), edge)) * inverse);
@@ -213,7 +213,7 @@ HWY_INLINE GrownCores<1> cores_of(const OneBall& a, const OneRod& b) {
 }
 
 /// As near_of_segments has them.
-HWY_INLINE GrownCores<2> cores_of(const OneRod& a, const OneRod& b) {
+HWY_INLINE OffsetCorePair<2> cores_of(const OneRod& a, const OneRod& b) {
   const OneVector u = minus(a.end, a.start), v = minus(b.end, b.start), w = minus(a.start, b.start);
   const double uu = first_of(dot(u, u)), vv = first_of(dot(v, v)), uv = first_of(dot(u, v)),
                along_u = first_of(dot(u, w)), along_v = first_of(dot(v, w));

@@ -1,4 +1,4 @@
-#include "narrow/triangles/face_meeting.hpp"
+#include "narrow/triangles/face_intersection.hpp"
 
 #include <algorithm>
 #include <optional>

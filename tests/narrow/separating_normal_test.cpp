@@ -1,4 +1,4 @@
-#include "narrow/triangles/parting_normal.hpp"
+#include "narrow/triangles/separating_normal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ double overlap_along(const Triangle& a, const Triangle& b, const Vec3& up) {
 }
 
 // The oracle is the search over the difference of the two, which is exact.
-TEST(PartingNormal, IsAlongTheShortestWayOut) {
+TEST(SeparatingNormal, IsAlongTheShortestWayOut) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto triangle = [&] {
@@ -34,27 +34,27 @@ TEST(PartingNormal, IsAlongTheShortestWayOut) {
     const Triangle a = triangle(), b = triangle();
     if (!overlap(a, b)) continue;
     ++meeting;
-    const Vec3 found = parting_normal(a, b), exact = manifold(PosedPolytope(a), PosedPolytope(b)).normal;
+    const Vec3 found = separating_normal(a, b), exact = manifold(PosedPolytope(a), PosedPolytope(b)).normal;
     EXPECT_NEAR(length(found), 1, 1e-14);
     EXPECT_NEAR(overlap_along(a, b, found), overlap_along(a, b, Vec3{} - exact), 1e-12);
-    EXPECT_EQ(parting_normal(b, a), Vec3{} - found);
+    EXPECT_EQ(separating_normal(b, a), Vec3{} - found);
   }
   EXPECT_GT(meeting, 300);
 }
 
-TEST(PartingNormal, OfTrianglesThatTouchItIsAcrossThem) {
+TEST(SeparatingNormal, OfTrianglesThatTouchItIsAcrossThem) {
   const Triangle floor{{Vec3{-1, -1, 0}, Vec3{1, -1, 0}, Vec3{0, 1, 0}}};
   const Triangle on_it{{Vec3{-0.5, -0.5, 0}, Vec3{0.5, -0.5, 0}, Vec3{0, 0.5, 0}}};
   const Triangle corner_down{{Vec3{0, 0, 0}, Vec3{0.5, 0, 1}, Vec3{0, 0.5, 1}}};
   const Vec3 up{0, 0, 1};
-  EXPECT_EQ(std::fabs(dot(parting_normal(on_it, floor), up)), 1);
-  EXPECT_EQ(parting_normal(corner_down, floor), up);
-  EXPECT_EQ(parting_normal(floor, corner_down), Vec3{} - up);
+  EXPECT_EQ(std::fabs(dot(separating_normal(on_it, floor), up)), 1);
+  EXPECT_EQ(separating_normal(corner_down, floor), up);
+  EXPECT_EQ(separating_normal(floor, corner_down), Vec3{} - up);
 }
 
-TEST(PartingNormal, WithoutAreaThereIsNone) {
+TEST(SeparatingNormal, WithoutAreaThereIsNone) {
   const Triangle point{{Vec3{1, 2, 3}, Vec3{1, 2, 3}, Vec3{1, 2, 3}}};
-  EXPECT_EQ(parting_normal(point, point), Vec3{});
+  EXPECT_EQ(separating_normal(point, point), Vec3{});
 }
 
 }  // namespace
