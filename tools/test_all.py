@@ -5,7 +5,8 @@ This may be stopped and started at will: what passed is not run again for the sa
 one (the tests of a room, a fuzzer, a constant of a proof, a unit of tidy). Which steps passed, for which commit and how
 long they took is kept in docs/evidence/test-all.json, the counts of the sweeps in docs/evidence/<sweep>.json.
 `--only STEP…` runs some steps and installs only what these need, `--minutes M` limits the sweeps, `--anew` runs them again
-for this commit, whatever others have compared, and `--scale F` multiplies what they have to compare.
+for this commit, whatever others have compared, `--scale F` multiplies what they have to compare, and `--cases N` is what each
+of their families has to.
 """
 import argparse
 import hashlib
@@ -197,7 +198,7 @@ def passes(name):
 def run_sweeps(options):
     print("== sweeps", flush=True)
     run = f"build/release/tests/toccata-sweeps --evidence docs/evidence --commit {commit()}"
-    for name, value in (("minutes", options.minutes), ("scale", options.scale)):
+    for name, value in (("minutes", options.minutes), ("scale", options.scale), ("cases", options.cases)):
         run += "" if value is None else f" --{name} {value}"
     run += " --anew" if options.anew else ""
     return run_steps(f"configure release {WITH_CGAL} -DTOCCATA_TEST_OPTIONS=-O2; build release toccata_sweeps; {run}") == 0
@@ -213,6 +214,7 @@ def main():
     parser.add_argument("--only", nargs="+", choices=[*STEPS, "sweeps"], default=[*STEPS, "sweeps"])
     parser.add_argument("--minutes", type=float)
     parser.add_argument("--scale", type=float)
+    parser.add_argument("--cases", type=int)
     parser.add_argument("--anew", action="store_true")
     options = parser.parse_args()
     if not install(options.only):

@@ -22,13 +22,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* usage =
-    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F] [--threads N] [--commit ID] "
-    "[--anew]\n"
+    "usage: toccata-sweeps --evidence DIR [--name SWEEP]… [--minutes M] [--scale F | --cases N] [--threads N] "
+    "[--commit ID] [--anew]\n"
     "Runs shards of the families that are farthest from their goals, until all have reached them.\n"
     "  --evidence DIR  folder of the evidence files, one per sweep\n"
     "  --name SWEEP    only this sweep; may be given several times\n"
     "  --minutes M     start no shard after M minutes (default: run until every goal is reached)\n"
     "  --scale F       multiply every goal by F\n"
+    "  --cases N       every family's goal is N cases, instead of that of its sweep\n"
     "  --threads N     families at a time (default: one per core)\n"
     "  --commit ID     the commit this program was built from, kept in the evidence\n"
     "  --anew          what other commits have compared does not count towards the goals: for code that changed\n";
@@ -38,6 +39,7 @@ struct Options {
   std::vector<std::string> names;  ///< empty: all
   double minutes = 1e9;
   double scale = 1;
+  double cases = 0;  ///< where above 0: every goal
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
   bool anew = false;
@@ -61,6 +63,8 @@ Options parse(int argument_count, char** arguments) {
       options.minutes = std::stod(value);
     else if (option == "--scale")
       options.scale = std::stod(value);
+    else if (option == "--cases")
+      options.cases = std::stod(value);
     else if (option == "--threads")
       options.threads = std::max(1UL, std::stoul(value));
     else if (option == "--commit")
@@ -70,6 +74,7 @@ Options parse(int argument_count, char** arguments) {
   }
   if (options.evidence.empty()) throw std::runtime_error("--evidence is missing");
   if (!(options.scale > 0)) throw std::runtime_error("--scale: a number above 0");
+  if (!(options.cases >= 0)) throw std::runtime_error("--cases: a number above 0");
   return options;
 }
 
@@ -105,7 +110,8 @@ class Run {
   double progress(const Lane& lane) const {
     const FamilyEvidence& family = evidence_.at(lane.sweep).family(lane.family);
     const std::uint64_t done = options_.anew ? family.cases_of(options_.commit) : family.cases();
-    return static_cast<double>(done) / (static_cast<double>(lane.sweep->goal) * options_.scale);
+    const double goal = options_.cases > 0 ? options_.cases : static_cast<double>(lane.sweep->goal) * options_.scale;
+    return static_cast<double>(done) / goal;
   }
 
   /// The family that is farthest from its goal; nothing when all have reached it, or there is no time left.
