@@ -99,11 +99,11 @@ build() {
   rm -- "$log"
 }
 
-# add_formats step|ifc…: the programs by which the command reads these formats.
+# add_formats step|ifc|assimp…: the programs by which the command reads these formats.
 add_formats() {
   local format
   if [[ $# -eq 0 ]]; then
-    say "name the formats to add: step, ifc"
+    say "name the formats to add: step, ifc, assimp"
     return 2
   fi
   for format in "$@"; do
@@ -117,12 +117,18 @@ add_formats() {
       ifc)
         add_ifc
         ;;
+      assimp)
+        install_packages packages packages-assimp
+        lock_build_folder
+        configure release -DTOCCATA_WITH_ASSIMP=ON
+        build release toccata_command toccata_read_assimp
+        ;;
       *)
-        say "there is no format $format to add: step, ifc (OBJ, STL, PLY, OFF, glTF, GLB and 3MF are always read)"
+        say "there is no format $format to add: step, ifc, assimp (OBJ, STL, PLY, OFF, glTF, GLB and 3MF are always read)"
         return 2
         ;;
     esac
-    say "$format files are read now: ./toccata check FILE"
+    say "files of $format are read now: ./toccata check FILE"
   done
 }
 

@@ -29,7 +29,6 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -37,33 +36,19 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene_parts.hpp"
+
 namespace {
 
+using toccata::formats::base64_of;
+using toccata::formats::PartNames;
 using Json = nlohmann::json;
 using Label = TDF_Label;
-
-static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
-
-/// RFC 4648, of numbers as they are in memory.
-template <class Number>
-std::string base64_of(const std::vector<Number>& numbers) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::string_view bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : letters[three >> (18 - 6 * k) & 63U];
-  }
-  return text;
-}
 
 /// Triangles of one product, in the numbers of the file's faces.
 struct Mesh {
@@ -177,7 +162,7 @@ class SceneOfStep {
                     const std::optional<TopLoc_Location>& location) {
     std::string frame = parent;
     if (!path.empty()) {
-      frame = free_name(path + "/");
+      frame = names_.take(path + "/");
       frames_.push_back(placed(frame, parent, location));
     }
     TDF_LabelSequence components;
@@ -197,7 +182,7 @@ class SceneOfStep {
                 const std::optional<TopLoc_Location>& location) {
     const std::string mesh = mesh_of(label, path);
     if (mesh.empty()) return;
-    Json object = placed(free_name(path), parent, location);
+    Json object = placed(names_.take(path), parent, location);
     object["mesh"] = mesh;
     object["source"] = source_;
     objects_.push_back(std::move(object));
@@ -232,20 +217,12 @@ class SceneOfStep {
     return found->second;
   }
 
-  std::string free_name(const std::string& name) {
-    std::string free = name;
-    for (int& number = next_number_.try_emplace(name, 2).first->second; !taken_.insert(free).second; ++number)
-      free = fmt::format("{} #{}", name, number);
-    return free;
-  }
-
   std::string source_;
   double tessellation_;
   std::size_t depth_ = 0, faces_without_ = 0;
   Json frames_ = Json::array(), objects_ = Json::array(), meshes_ = Json::object();
   std::map<std::string, std::string> mesh_of_label_;
-  std::set<std::string> taken_;
-  std::map<std::string, int> next_number_;
+  PartNames names_;
 };
 
 /// In millimetres, in which Open CASCADE has everything.

@@ -32,11 +32,15 @@ struct Converter {
   std::string_view format;
   std::vector<std::string_view> extensions;
   const char* what;  ///< that it stands on
+  bool states_unit = true;
 };
 
 const std::vector<Converter>& converters() {
-  static const std::vector<Converter> all = {{"step", {".step", ".stp", ".p21"}, "Open CASCADE"},
-                                             {"ifc", {".ifc"}, "IfcOpenShell"}};
+  static const std::vector<Converter> all = {
+      {"step", {".step", ".stp", ".p21"}, "Open CASCADE"},
+      {"ifc", {".ifc"}, "IfcOpenShell"},
+      {"assimp", {".fbx", ".dae"}, "Assimp"},
+      {"assimp", {".3ds", ".ac", ".ase", ".blend", ".dxf", ".lwo", ".x3d"}, "Assimp", false}};
   return all;
 }
 
@@ -123,6 +127,10 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
         fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
   }
   ConvertedScene converted{read_scene(scene.string(), {.scale = conversion.scale}), {}};
+  if (conversion.metres_per_unit) {
+    converted.scene = scaled(std::move(converted.scene), *conversion.metres_per_unit);
+    converted.scene.unit = "m";
+  }
   for (const std::string& note : lines_in(text_of_file(out)))
     converted.notes.push_back(fmt::format("{}: {}", path, note));
   return converted;
@@ -132,7 +140,17 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
 
 bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || converter_of(path) != nullptr; }
 
-bool states_its_unit(const std::string& path) { return is_converted(path) || lower_extension(path) == ".json"; }
+std::vector<std::string> converted_formats() {
+  std::vector<std::string> formats{"3mf"};
+  for (const Converter& one : converters())
+    for (const std::string_view extension : one.extensions) formats.emplace_back(extension.substr(1));
+  return formats;
+}
+
+bool states_its_unit(const std::string& path) {
+  if (const Converter* converter = converter_of(path)) return converter->states_unit;
+  return is_converted(path) || lower_extension(path) == ".json";
+}
 
 ConvertedScene read_converted(const std::string& path, const Conversion& conversion) {
   if (const Converter* converter = converter_of(path)) return read_by_program(path, *converter, conversion);

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "three_mf.hpp"
 #include "toccata/io/scene_file.hpp"
 
 namespace toccata::command {
 
-/// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC.
+/// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC, and what Assimp reads.
 [[nodiscard]] bool is_converted(const std::string& path);
+
+/// The extensions of these files, without the dot.
+[[nodiscard]] std::vector<std::string> converted_formats();
 
 /// Whether a file of that name says itself in which unit its numbers are, and --unit is about others: these, and scene
 /// files.
@@ -17,12 +22,13 @@ namespace toccata::command {
 /// How it is read.
 struct Conversion {
   double scale = 1;
-  std::string tessellation;  ///< a length with its unit; empty: the converter's own
+  std::string tessellation;                 ///< a length with its unit; empty: the converter's own
+  std::optional<double> metres_per_unit{};  ///< of a file that does not state its unit
 };
 
-/// What the file holds. STEP and IFC files are read by `toccata-read-step` and `toccata-read-ifc`, programs beside this
-/// one or on the path: a file by which they break down breaks nothing else. Throws Error naming the file and what its
-/// reader said, or that it is not installed and how it is.
+/// What the file holds. All but 3MF files are read by `toccata-read-step`, `toccata-read-ifc` and
+/// `toccata-read-assimp`, programs beside this one or on the path: a file by which they break down breaks nothing else.
+/// Throws Error naming the file and what its reader said, or that it is not installed and how it is.
 [[nodiscard]] ConvertedScene read_converted(const std::string& path, const Conversion& conversion);
 
 }  // namespace toccata::command

@@ -160,7 +160,7 @@ class FilesRead {
 /// What one of the files holds, whatever its format.
 ConvertedScene read_as_it_is(const std::string& file, const fs::path& path, const InputArguments& input,
                              const ReadOptions& options) {
-  const Conversion conversion{options.scale, input.tessellation};
+  const Conversion conversion{options.scale, input.tessellation, options.metres_per_unit};
   if (file == standard_input) return read_standard_input_as(input.format, options, conversion);
   if (is_converted(path.string())) return read_converted(path.string(), conversion);
   return {read_scene(path.string(), options), {}};

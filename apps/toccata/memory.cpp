@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "converted.hpp"
 #include "output.hpp"
 #include "toccata/core/error.hpp"
 #include "words.hpp"
@@ -73,7 +74,7 @@ double factor_of(const fs::path& file) {
   if (extension == ".ply") return binary ? 6.5 : 3;
   if (extension == ".obj" || extension == ".off") return 3;
   if (extension == ".3mf") return 40;  // the text that it unpacks to, and its tree
-  if (extension == ".step" || extension == ".stp" || extension == ".ifc") return 20;
+  if (is_converted(file.string())) return 20;
   return extension == ".glb" ? 6.5 : 1;
 }
 

@@ -4,7 +4,6 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "converted.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "words.hpp"
@@ -22,9 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a folder stands for. A scene file names meshes that often lie beside it: it is named itself.
-constexpr std::array<std::string_view, 10> formats_in_folders = {"obj", "stl", "ply",  "off", "gltf",
-                                                                 "glb", "3mf", "step", "stp", "ifc"};
+/// What a folder stands for, by extension: all that is read but scene files. These name meshes that often lie beside
+/// them, and are named themselves.
+std::vector<std::string> formats_in_folders() {
+  std::vector<std::string> formats{"obj", "stl", "ply", "off", "gltf", "glb"};
+  for (std::string& converted : converted_formats()) formats.push_back(std::move(converted));
+  return formats;
+}
+
+bool is_read(const std::string& format) {
+  const std::vector<std::string> formats = formats_in_folders();
+  return format == "json" || std::ranges::find(formats, format) != formats.end();
+}
 
 std::string lower_case_format(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -35,7 +44,7 @@ std::string lower_case_format(const fs::path& path) {
 
 bool is_in_folders(const fs::path& path) {
   const std::string format = lower_case_format(path);
-  return std::find(formats_in_folders.begin(), formats_in_folders.end(), format) != formats_in_folders.end();
+  return format != "json" && is_read(format);
 }
 
 std::vector<std::string> files_in(const std::string& folder) {
@@ -106,10 +115,6 @@ std::vector<std::string> files_of_word(const std::string& word) {
   return {word};
 }
 
-/// By the extensions of files that are read so.
-constexpr std::array<std::string_view, 12> formats_of_input{"obj", "stl",  "ply", "off", "gltf", "glb",
-                                                            "3mf", "step", "stp", "p21", "ifc",  "json"};
-
 void require_sense_of_standard_input(const InputArguments& input, const std::vector<std::string>& files) {
   const auto uses = std::count(files.begin(), files.end(), standard_input) + (input.names == standard_input ? 1 : 0);
   const bool holds_a_file = std::find(files.begin(), files.end(), standard_input) != files.end();
@@ -117,7 +122,7 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
   if (holds_a_file && input.format.empty())
     throw Error(fmt::format("- is standard input, which has no name that tells its format: add --format, {}",
                             readable_formats()));
-  if (!input.format.empty() && std::ranges::find(formats_of_input, input.format) == formats_of_input.end())
+  if (!input.format.empty() && !is_read(input.format))
     throw Error(fmt::format("--format: '{}' is none that is read; there are {}", input.format, readable_formats()));
   if (!holds_a_file && !input.format.empty())
     throw Error("--format is of standard input, and no file is -: the others' names tell theirs");
@@ -125,7 +130,9 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
 
 }  // namespace
 
-std::string readable_formats() { return "obj, stl, ply, off, gltf, glb, 3mf, step, ifc or a scene file (json)"; }
+std::string readable_formats() {
+  return fmt::format("{} or a scene file (json)", fmt::join(formats_in_folders(), ", "));
+}
 
 std::string read_standard_input() {
   std::cin >> std::noskipws;

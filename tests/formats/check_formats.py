@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""STEP and IFC files are read as what they hold by the programs that `./toccata formats` adds, and what is broken is told.
+"""STEP and IFC files, and those of Assimp's formats, are read as what they hold by the programs that `./toccata formats` adds,
+and what is broken is told.
 
 usage: check_formats.py FOLDER
 
-FOLDER holds toccata, and toccata-read-step and toccata-read-ifc where they are added. What is not there is told, and
-skipped: exit status 77 where nothing is. The STEP file is made by toccata_write_step (apps/formats), the IFC file is Debian's
-(assimp-testmodels).
+FOLDER holds toccata, and toccata-read-step, toccata-read-ifc and toccata-read-assimp where they are added. What is not there is
+told, and skipped: exit status 77 where nothing is. The STEP file is made by toccata_write_step (apps/formats), the others are
+Debian's (assimp-testmodels) or written here.
 """
 import json
 import os
@@ -17,7 +18,8 @@ import tempfile
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()
 COMMAND = FOLDER / "toccata"
-IFC_MODEL = pathlib.Path("/usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc")
+MODELS = pathlib.Path("/usr/share/assimp/models")
+IFC_MODEL = MODELS / "IFC/AC14-FZK-Haus.ifc"
 
 
 def run(folder, *words, **options):
@@ -44,7 +46,7 @@ def check_missing(folder):
     (bare / "toccata").write_bytes(COMMAND.read_bytes())
     (bare / "toccata").chmod(0o755)
     environment = {**os.environ, "TOCCATA_CALLED_AS": "./toccata", "PATH": "/usr/bin:/bin"}
-    for name, words in (("a.step", "`./toccata formats step`"), ("a.ifc", "`./toccata formats ifc`")):
+    for name, words in (("a.step", "`./toccata formats step`"), ("a.ifc", "`./toccata formats ifc`"), ("a.fbx", "`./toccata formats assimp`")):
         result = subprocess.run([bare / "toccata", "check", name], cwd=folder, env=environment, capture_output=True, text=True)
         assert result.returncode == 2 and words in result.stderr, result
 
@@ -111,6 +113,55 @@ def check_ifc(folder):
     refused(folder, "empty.ifc")
 
 
+# Two boxes of a unit's edge under a node that moves them, and a unit of half a metre.
+COLLADA = """<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+ <asset><unit meter="0.5" name="half"/><up_axis>Y_UP</up_axis></asset>
+ <library_geometries><geometry id="box" name="box"><mesh>
+  <source id="p"><float_array id="pa" count="24">0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1</float_array>
+   <technique_common><accessor source="#pa" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <polylist count="6"><input semantic="VERTEX" source="#v" offset="0"/><vcount>4 4 4 4 4 4</vcount>
+   <p>0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5</p></polylist></mesh></geometry></library_geometries>
+ <library_visual_scenes><visual_scene id="s"><node id="arm" name="arm"><translate>8 0 0</translate>
+  <node id="left" name="left"><instance_geometry url="#box"/></node>
+  <node id="right" name="right"><translate>TRANSLATION</translate><instance_geometry url="#box"/></node></node></visual_scene></library_visual_scenes>
+ <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+"""
+
+
+def check_assimp(folder):
+    (folder / "arm.dae").write_text(COLLADA.replace("TRANSLATION", "0.5 0 0"))
+    arm = report(folder, "check", "arm.dae")
+    assert arm["unit"] == "m" and [one["name"] for one in arm["objects"]] == ["arm/left", "arm/right"], arm["objects"]
+    assert all(one["closed"] and one["solid"] for one in arm["objects"]), "corners in one place are one vertex"
+    assert [(pair["a"], pair["b"], pair["relation"]) for pair in arm["pairs"]] == [("arm/left", "arm/right", "overlapping")], arm["pairs"]
+    assert any("2 parts of 1 shape as Assimp reads them, with numbers of 32 bits" in warning for warning in arm["warnings"]), arm["warnings"]
+    inspected = report(folder, "inspect", "arm.dae")["objects"][0]
+    assert inspected["world_box"] == {"lower": [4, 0, 0], "upper": [4.5, 0.5, 0.5]} and inspected["vertices"] == 8, inspected
+    (folder / "apart.dae").write_text(COLLADA.replace("TRANSLATION", "1.5 0 0"))
+    assert report(folder, "check", "apart.dae", "--clearance", "250mm")["pairs"][0]["distance"]["upper"] == 0.25
+    cube = MODELS / "3DS/test1.3ds"
+    if cube.exists():
+        (folder / "cubes.3ds").write_bytes(cube.read_bytes())
+        unknown, known = (report(folder, "inspect", "cubes.3ds", *words) for words in ((), ("--unit", "cm")))
+        assert unknown["unit"] == "unit" and known["unit"] == "m", (unknown["unit"], known["unit"])
+        ends = [one["objects"][0]["world_box"]["upper"][0] for one in (known, unknown)]
+        assert abs(ends[0] - 0.01 * ends[1]) <= 1e-15 * abs(ends[1]), ends
+        assert "states its unit" in run(folder, "check", "arm.dae", "--unit", "cm").stderr
+        whole = cube.read_bytes()
+        (folder / "short.3ds").write_bytes(whole[:200])
+        refused(folder, "short.3ds")
+    box = MODELS / "FBX/box.fbx"
+    if box.exists():
+        (folder / "box.fbx").write_bytes(box.read_bytes())
+        assert report(folder, "inspect", "box.fbx")["objects"][0]["closed"]
+    for name, bytes_of in (("empty.fbx", b""), ("text.dae", b"solid"), ("flat.dxf", b"0\nEOF\n")):
+        (folder / name).write_bytes(bytes_of)
+        refused(folder, name)
+
+
 def main():
     skipped = []
     with tempfile.TemporaryDirectory() as name:
@@ -125,6 +176,10 @@ def main():
             check_ifc(folder)
         else:
             skipped.append("IFC: ./toccata formats ifc adds what reads it; the file is of Debian's assimp-testmodels")
+        if (FOLDER / "toccata-read-assimp").exists():
+            check_assimp(folder)
+        else:
+            skipped.append("FBX, Collada and others: ./toccata formats assimp adds what reads them")
     for what in skipped:
         print(f"skipped {what}")
     return 77 if skipped else 0
