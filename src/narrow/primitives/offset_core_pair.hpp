@@ -1,10 +1,10 @@
 // Cores grown by radii, from their nearest features: depths, contact points, and distances however small.
 // docs/design/primitive-depths.md. Included once for every SIMD level, like math/lanes.hpp.
-#if defined(TOCCATA_NARROW_GROWN_CORES_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef TOCCATA_NARROW_GROWN_CORES_HPP
-#undef TOCCATA_NARROW_GROWN_CORES_HPP
+#if defined(TOCCATA_NARROW_OFFSET_CORE_PAIR_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TOCCATA_NARROW_OFFSET_CORE_PAIR_HPP
+#undef TOCCATA_NARROW_OFFSET_CORE_PAIR_HPP
 #else
-#define TOCCATA_NARROW_GROWN_CORES_HPP
+#define TOCCATA_NARROW_OFFSET_CORE_PAIR_HPP
 #endif
 
 #include <bit>
