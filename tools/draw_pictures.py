@@ -90,8 +90,8 @@ NEAR = ["--penetration", "--clearance", "all"]
 
 # What is shown, with which options, and how: a scene, a demo's scene by name, or words of the command.
 WANTED = {
-    "demo": (["scenes/a.obj", "scenes/b.stl"], [], "finding=0&grid=0"),
-    "contact": ("gears", ["--penetration"], "finding=0&off=normal"),
+    "demo": (["scenes/a.obj", "scenes/b.stl"], [], "finding=0&grid=0&card=0&labels=0"),
+    "contact": ("gears", ["--penetration"], "finding=0&off=normal&grid=0&card=0&labels=0"),
     "clash": (SKID, ["--penetration"], "finding=3&through=1&grid=0&camera=-0.1,0,0.25,2.2,-1.0,0.4"),
     "triangles": (TRIANGLES, [], "finding=0&through=1"),
     "polygon": (POLYGON, [], ""),

@@ -14,9 +14,9 @@ namespace {
 
 /// As apps/viewer/src/link.ts reads them.
 const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys = {"finding", "only", "hidden", "ghosts", "rest",
-                                                "through", "grid", "labels", "panels", "theme",
-                                                "order",   "off",  "steps",  "camera", "moment"};
+  static const std::vector<std::string> keys = {"finding", "only",   "hidden", "ghosts", "rest",  "through",
+                                                "grid",    "labels", "panels", "card",   "theme", "order",
+                                                "off",     "steps",  "camera", "moment"};
   return keys;
 }
 

@@ -50,6 +50,13 @@ def type_into(browser, element, text):
     browser.value(f"(() => {{ const field = document.getElementById('{element}'); field.value = {json.dumps(text)}; field.oninput?.(); field.onchange?.(); }})()")
 
 
+# Its width and height.
+ABOVE_CARD = """(() => {
+  const canvas = toccata.stage.canvas.getBoundingClientRect(), card = document.getElementById('found').getBoundingClientRect();
+  return [canvas.width, Math.min(canvas.height, card.top - canvas.top)];
+})()"""
+
+
 def check_framing(checks, browser):
     browser.value("document.querySelectorAll('#finding-list .row')[0].click()")
     browser.wait_for("toccata.stage.drawn > 1")
@@ -59,9 +66,10 @@ def check_framing(checks, browser):
         if place[0] is None:  # what is gone has no place
             browser.press("n")
             continue
-        width, height = browser.value("[toccata.stage.canvas.clientWidth, toccata.stage.canvas.clientHeight]")
+        width, height = browser.value(ABOVE_CARD)
         share = max((place[2] - place[0]) / width, (place[3] - place[1]) / height)
-        checks.expect(share > 0.15, f"{name}: the place takes only {share:.2f} of the picture")
+        checks.expect(share > 0.15, f"{name}: the place takes only {share:.2f} of the picture above the card")
+        checks.expect(0 <= place[0] and place[2] <= width and 0 <= place[1] and place[3] <= height, f"{name}: the place is behind the card: {place}")
         checks.expect(share < 1, f"{name}: the place is cut off")
         words = browser.value(WORDS)
         checks.expect(len(words) >= 2, f"{name}: {len(words)} labels")

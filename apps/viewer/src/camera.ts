@@ -8,12 +8,21 @@ export interface CameraPlace {
   pitch: number;
 }
 
+/// The part of the picture that nothing covers: how far its middle is to the right of that of the canvas and above it, and its
+/// smaller side, in heights of the canvas.
+export interface FreePart {
+  right: number;
+  up: number;
+  side: number;
+}
+
 const steepest = Math.PI / 2 - 0.001;
 
 export class Orbit {
   readonly camera = new PerspectiveCamera(35, 1, 0.01, 10);
   place: CameraPlace = { target: new Vector3(), distance: 4, yaw: -0.9, pitch: 0.45 };
   private pointers = new Map<number, { x: number; y: number }>();
+  private free: FreePart | undefined;
 
   constructor(
     private readonly element: HTMLElement,
@@ -39,8 +48,22 @@ export class Orbit {
     this.camera.lookAt(target);
     this.camera.near = distance * 0.02;
     this.camera.far = distance + 12;
-    this.camera.updateProjectionMatrix();
+    this.aim();
     this.camera.updateMatrixWorld();
+  }
+
+  /// So that the target is drawn in the middle of what is free.
+  private aim(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (this.free && height > 0) this.camera.setViewOffset(width, height, -this.free.right * height, this.free.up * height, width, height);
+    else this.camera.clearViewOffset();
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// Where there is none, all of the picture is free.
+  keepClear(free: FreePart | undefined): void {
+    this.free = free;
+    this.aim();
   }
 
   private move(): void {
@@ -56,9 +79,9 @@ export class Orbit {
   /// Shows a ball whole.
   frame(centre: Vector3, radius: number): void {
     const half = (this.camera.fov * Math.PI) / 360;
-    const narrow = Math.min(1, this.camera.aspect);
+    const side = this.free?.side ?? Math.min(1, this.camera.aspect);
     this.place.target.copy(centre);
-    this.place.distance = Math.max((1.15 * radius) / Math.sin(half) / narrow, 1e-7);
+    this.place.distance = Math.max((1.15 * radius) / Math.sin(half) / side, 1e-7);
     this.move();
   }
 
@@ -81,7 +104,7 @@ export class Orbit {
     this.move();
   }
 
-  /// `factor` below 1 comes nearer; the point at (right, up) of the middle, in screen heights, stays where it is.
+  /// `factor` below 1 comes nearer; the point at (right, up) of the target, in screen heights, stays where it is.
   zoom(factor: number, right = 0, up = 0): void {
     const before = this.place.distance;
     this.place.distance = Math.max(1e-7, Math.min(100, before * factor));
@@ -105,8 +128,8 @@ export class Orbit {
       (event) => {
         event.preventDefault();
         const box = element.getBoundingClientRect();
-        const right = (event.clientX - box.left - box.width / 2) / box.height;
-        const up = (box.top + box.height / 2 - event.clientY) / box.height;
+        const right = (event.clientX - box.left - box.width / 2) / box.height - (this.free?.right ?? 0);
+        const up = (box.top + box.height / 2 - event.clientY) / box.height - (this.free?.up ?? 0);
         this.zoom(Math.exp(Math.max(-1, Math.min(1, event.deltaY * 0.0015))), right, up);
       },
       { passive: false },

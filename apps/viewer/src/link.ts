@@ -34,6 +34,7 @@ export function toHash(state: State, known: Known): string {
   if (!state.grid) words.set('grid', '0');
   if (!state.labels) words.set('labels', '0');
   if (!state.panels) words.set('panels', '0');
+  if (!state.card) words.set('card', '0');
   if (state.order) words.set('order', state.order);
   if (state.off.size > 0) words.set('off', [...state.off].join(','));
   const steps = known.sliders.flatMap(({ layer }, slider) => (state.steps.has(layer) ? [`${slider}:${state.steps.get(layer)}`] : []));
@@ -87,7 +88,7 @@ class Reader {
     return found;
   }
 
-  private flag(key: 'through' | 'grid' | 'labels' | 'panels', text: string): void {
+  private flag(key: 'through' | 'grid' | 'labels' | 'panels' | 'card', text: string): void {
     const value = this.oneOf(key, text, ['0', '1']);
     if (value) this.state[key] = value === '1';
   }
@@ -128,6 +129,7 @@ class Reader {
     grid: (text) => this.flag('grid', text),
     labels: (text) => this.flag('labels', text),
     panels: (text) => this.flag('panels', text),
+    card: (text) => this.flag('card', text),
     moment: (text) => (this.state.moment = this.index(text, this.known.moments, 'moment') ?? 0),
     theme: (text) => (this.state.theme = this.oneOf('theme', text, ['light', 'dark']) ?? this.state.theme),
     order: (text) => (this.state.order = this.oneOf('order', text, ['deepest', 'largest', 'nearest', 'listed']) ?? this.state.order),

@@ -103,8 +103,12 @@ export class Stage {
     this.sized = true;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.orbit.resize(clientWidth, clientHeight);
+    this.afterResizing();
     this.drawNow();
   }
+
+  /// What is to be done once the picture has another size, before it is drawn.
+  afterResizing = (): void => {};
 
   setOverlays(drawings: Object3D[]): void {
     for (const old of [...this.overlays.children]) discard(old);

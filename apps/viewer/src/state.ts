@@ -12,6 +12,7 @@ export interface State {
   grid: boolean;
   labels: boolean;
   panels: boolean;
+  card: boolean; // that tells of what is chosen
   theme: 'light' | 'dark';
   order: Order | undefined; // of the list; none: that of the kind of question
   off: Set<string>; // roles of layers that are switched off
@@ -31,6 +32,7 @@ export function newState(): State {
     grid: true,
     labels: true,
     panels: true,
+    card: true,
     theme: window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light',
     order: undefined,
     off: new Set(),

@@ -1,5 +1,6 @@
 // What the reader sees follows from the state: every action changes the state and calls `show`.
 import { Box3, Object3D, Vector3 } from 'three';
+import type { FreePart } from './camera';
 import { bodyColours, objectA, objectB, themes, touchedColour, untouched } from './colours';
 import type { HierarchyLayer, Layer, LayerStep, PageData, Vec } from './data';
 import { drawLevel, litTriangles, nodeUnder, trianglesHeld, type DrawnLevel } from './hierarchy';
@@ -39,6 +40,15 @@ function firstStep({ kind, steps = [] }: Layer): number {
 }
 
 /// Ends of the twelve edges of a box, three numbers each.
+function diagonalOf(box: Box3): number {
+  return box.getSize(new Vector3()).length();
+}
+
+function thinnestOf(box: Box3): number {
+  const { x, y, z } = box.getSize(new Vector3());
+  return Math.min(x, y, z);
+}
+
 function edgesOf(box: Box3): number[] {
   const corners = cornersOf(box);
   const ends: number[] = [];
@@ -87,6 +97,7 @@ export class Viewer {
     this.state.moment = this.chosen?.moment ?? this.state.moment;
     this.goToMoment();
     this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
+    this.stage.afterResizing = () => (this.isFramed ? this.frame() : this.stage.orbit.keepClear(this.freePart()));
     this.marks = new Marks(this.stage, header, report.unit);
     this.layerPanel = new LayerPanel(data, this.findings, this.state, () => this.show());
     this.measure = new Measure(header, report.unit);
@@ -107,6 +118,7 @@ export class Viewer {
   }
 
   private placeCamera(): void {
+    this.stage.orbit.keepClear(this.freePart());
     const camera = this.state.camera;
     if (!camera) return this.frame();
     const { place } = this.stage.orbit;
@@ -192,6 +204,7 @@ export class Viewer {
     const theme = themes[state.theme];
     document.documentElement.dataset.theme = state.theme;
     document.documentElement.dataset.panels = state.panels ? 'on' : 'off';
+    document.documentElement.dataset.card = state.card ? 'on' : 'off';
     this.objects.seeThrough(state.through);
     this.placeObjects();
     const opened = this.opened();
@@ -221,13 +234,19 @@ export class Viewer {
     return place ? cornersOf(this.boxBetween(place)) : [];
   }
 
-  /// Around each place of what is chosen, drawn over everything.
+  /// The size of the smaller of the objects that are chosen.
+  private smallestOf(chosen: Finding): number {
+    return Math.min(...objectsOf(chosen).map((object) => diagonalOf(this.objects.boxes[object])));
+  }
+
+  /// Around each place of what is chosen that would not be found without, drawn over everything.
   private placeBoxes(): Object3D[] {
     const { chosen } = this;
     if (!chosen?.place) return [];
-    const boxes = chosen.regions?.length ? chosen.regions : [chosen.place];
-    const ends = boxes.flatMap((place) => edgesOf(this.boxBetween(place)));
-    return [segments(new Float32Array(ends), themes[this.state.theme].contact, 1.2, true)];
+    const places = (chosen.regions?.length ? chosen.regions : [chosen.place]).map((place) => this.boxBetween(place));
+    const small = places.filter((place) => diagonalOf(place) < 0.5 * this.smallestOf(chosen));
+    const ends = small.flatMap(edgesOf);
+    return ends.length > 0 ? [segments(new Float32Array(ends), themes[this.state.theme].contact, 1.2, true)] : [];
   }
 
   private measured(): Object3D[] {
@@ -490,18 +509,34 @@ export class Viewer {
     return !isHalfSpace && length(all) < 4 * length(close) ? all : close;
   }
 
-  /// The place of what is chosen with a little around it: a clash is looked at, not its parts.
+  /// The place of what is chosen with some of its objects around it, as much as tells what they are: half of what the thinner one
+  /// measures across, and in proportion to the place, since a clash is looked at and not its parts.
   private placeToFrame(): Box3 {
     const { chosen } = this;
     if (!chosen?.place || !this.isCloseUp) return this.focusBox();
     const box = this.boxBetween(chosen.place);
-    const length = (one: Box3) => one.getSize(new Vector3()).length();
-    const smallest = Math.min(...objectsOf(chosen).map((object) => length(this.objects.boxes[object])));
-    const room = Math.max(0.35 * length(box), 0.02 * smallest, 1e-6);
-    return box.expandByScalar(room);
+    const thin = Math.min(...objectsOf(chosen).map((object) => thinnestOf(this.objects.boxes[object])));
+    const size = diagonalOf(box);
+    const room = Math.max(Math.min(0.5 * thin, 1.2 * size), 0.25 * size, 0.1 * thin, 1e-6);
+    return box.expandByScalar(room).intersect(this.focusBox());
+  }
+
+  /// The larger part of the picture above or beside the card that tells of what is chosen; none where there is no card, or no
+  /// room but behind it.
+  private freePart(): FreePart | undefined {
+    const canvas = element('canvas').getBoundingClientRect();
+    const card = element('found').getBoundingClientRect();
+    const { width, height } = canvas;
+    if (height === 0 || card.height === 0 || card.top >= canvas.bottom) return undefined;
+    const above = Math.min(width, card.top - canvas.top);
+    const beside = Math.min(height, card.left - canvas.left);
+    if (Math.max(above, beside) < 0.3 * Math.min(width, height)) return undefined;
+    if (above >= beside) return { right: 0, up: (canvas.bottom - card.top) / (2 * height), side: above / height };
+    return { right: (card.left - canvas.right) / (2 * height), up: 0, side: beside / height };
   }
 
   frame(): void {
+    this.stage.orbit.keepClear(this.freePart());
     this.stage.frameBox(this.placeToFrame());
     const { target, distance } = this.stage.orbit.place;
     this.framed = { target: target.clone(), distance };
@@ -509,10 +544,14 @@ export class Viewer {
 
   /// Frames what is chosen anew; where it is framed already, goes from its place to its objects, and back.
   fit(): void {
-    const { target, distance } = this.stage.orbit.place;
-    const isFramed = this.framed?.target.equals(target) && this.framed.distance === distance;
-    if (isFramed && this.chosen?.place) this.isCloseUp = !this.isCloseUp;
+    if (this.isFramed && this.chosen?.place) this.isCloseUp = !this.isCloseUp;
     this.frame();
+  }
+
+  /// Whether nobody has moved since the last `frame`.
+  private get isFramed(): boolean {
+    const { target, distance } = this.stage.orbit.place;
+    return this.framed !== undefined && this.framed.target.equals(target) && this.framed.distance === distance;
   }
 
   choose(finding: number | undefined): void {
