@@ -120,7 +120,7 @@ HullBound fit<HullBound>(std::span<const Triangle> triangles);
 /// The hull of the posed vertices. The pose may flatten it.
 [[nodiscard]] HullBound posed(const HullBound& v, const Pose& pose);
 [[nodiscard]] Aabb box_around(const HullBound& v);
-/// Of the hull, without the margin.
+/// These are the volume and the areas of the hull, without the margin.
 [[nodiscard]] double measure(const HullBound& v);
 [[nodiscard]] double surface_area(const HullBound& v);
 [[nodiscard]] double half_area(const HullBound& v);

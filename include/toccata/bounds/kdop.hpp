@@ -111,7 +111,7 @@ template <std::size_t k>
 /// Those that are left where slabs cut off others, rounded; none where a slab is beyond the finite doubles.
 template <std::size_t k>
 [[nodiscard]] std::vector<Vec3> corner_points(const Kdop<k>& v);
-/// Of the box around it: what walks and builders compare has to be cheap.
+/// Half the surface area of the box around it: what walks and builders compare has to be cheap.
 template <std::size_t k>
 [[nodiscard]] double half_area(const Kdop<k>& v);
 

@@ -171,8 +171,8 @@ class BroadPhase {
 /// All pairs of boxes that overlap, as `overlapping_pairs(boxes)` finds them, by any method on any number of threads.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options);
 
-/// Of them those that are wanted. Memory is that of the boxes and of the pairs that are wanted, however many overlap.
-/// `wanted` is asked of every pair that overlaps, in any order: once of those that it refuses.
+/// The same pairs, but only those that are wanted. Memory is that of the boxes and of the pairs that are wanted,
+/// however many overlap. `wanted` is asked of every pair that overlaps, in any order: once of those that it refuses.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                                        const PairFilter& wanted);
 

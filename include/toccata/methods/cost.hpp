@@ -89,7 +89,7 @@ struct CostRow {
   Index leaf_size = 1;
   std::size_t queries = 0;
   WalkCounts counts;  ///< N_u, N_bv and N_p, summed over the queries. They depend on the input alone.
-  // Of one operation, in nanoseconds, measured on some hundreds of those that the queries made.
+  // The time of one operation, in nanoseconds, measured on some hundreds of those that the queries made.
   double update_ns = 0;    ///< C_u
   double test_ns = 0;      ///< C_bv; of `wide` with all the rest of the query, which is not taken apart
   double item_ns = 0;      ///< C_p; of `wide` 0
@@ -99,7 +99,7 @@ struct CostRow {
   std::size_t bytes = 0;
   int greatest_depth = 0;
 
-  // Of one query, in nanoseconds, on average.
+  // The costs of one query, in nanoseconds, on average.
   [[nodiscard]] double update_cost() const { return of_query(counts.volumes_updated, update_ns); }
   [[nodiscard]] double test_cost() const { return of_query(counts.volume_tests, test_ns); }
   [[nodiscard]] double item_cost() const { return of_query(counts.items, item_ns); }

@@ -64,7 +64,7 @@ class VoronoiRegions {
   /// Through a half-edge, its normal in the plane of its face, into the face: behind it the edge is nearer. Of a
   /// segment there is none.
   [[nodiscard]] RegionPlane edge_face_plane(Index half_edge) const;
-  /// Of a face, the normal outwards.
+  /// The plane of a face, its normal outwards.
   [[nodiscard]] RegionPlane face_plane(Index face) const;
 
   /// The planes around a region.

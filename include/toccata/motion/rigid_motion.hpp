@@ -98,7 +98,7 @@ class RigidMotion {
 
   /// In the order of time; none of a motion that is told by a function.
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
-  /// Of a motion that is told by a function.
+  /// The bound on the speed of a motion that is given by a function.
   [[nodiscard]] const MotionSpeed& speed() const { return speed_; }
 
  private:

@@ -42,8 +42,8 @@ struct Intersection {
   Feature on_a;           ///< the smallest feature of each triangle that contains the whole intersection
   Feature on_b;
   std::uint8_t count = 0;  ///< of extreme points: 0, 1, 2, or up to 6
-  /// Of a segment the lesser first, by (on_a, on_b); of a polygon in cyclic order, from the least towards the lesser of
-  /// its two neighbours.
+  /// The ends of a segment are listed with the lesser first, by (on_a, on_b); the corners of a polygon in cyclic order,
+  /// from the least towards the lesser of its two neighbours.
   std::array<IntersectionPoint, 6> points{};
   friend constexpr bool operator==(const Intersection&, const Intersection&) = default;
 };

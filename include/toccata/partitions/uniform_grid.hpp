@@ -20,11 +20,12 @@ struct UniformGridOptions {
 /// Space cut into cells of one size, each with the list of items that reach into it: items are rasterised as lines of a
 /// picture are. Only cells that hold something are stored. Space-centric: an item is in every cell it meets.
 ///
-/// Of D = 2 the axes are x and y (cells are columns along z), of 3 x, y and z, and of 4 also time.
+/// With D = 2 the axes are x and y (cells are columns along z), with 3 they are x, y and z, and with 4 time is the
+/// fourth.
 template <std::size_t D>
 class UniformGrid {
  public:
-  /// Of boxes, by number. Throws Error naming one that is not finite or has lower > upper.
+  /// A grid of boxes, which are items by their number. Throws Error naming one that is not finite or has lower > upper.
   UniformGrid(const GridCells<D>& grid, std::span<const GridBox<D>> boxes, const UniformGridOptions& options = {});
   /// A triangle is in the cells that it meets itself, exactly, not all that its box meets.
   UniformGrid(const PartitionItems& items, const GridCells<D>& grid,
@@ -42,7 +43,7 @@ class UniformGrid {
   ~UniformGrid();
 
   [[nodiscard]] const GridCells<D>& grid() const;
-  /// Of cells that hold an item.
+  /// The number of cells that hold an item.
   [[nodiscard]] std::size_t cell_count() const;
   [[nodiscard]] const GridCell<D>& cell(std::size_t i) const;
   [[nodiscard]] std::span<const Index> items_in(std::size_t i) const;

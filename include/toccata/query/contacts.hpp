@@ -87,16 +87,16 @@ struct ContactRegion {
   /// Closed curves along which the two cross here, after one of them was moved by less than any length; where one is a
   /// surface that ends here, curves that are not closed count, too.
   std::size_t curve_count = 0;
-  /// Of two solids, that of the shadow which the common part casts along the normal, where it folds as often as it does
-  /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Else of the shadow
-  /// of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 of points and of curves
-  /// that are not closed.
+  /// For two solids, the area of the shadow that the common part casts along the normal, counted as often as it folds
+  /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Otherwise the area
+  /// of the shadow of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 for points
+  /// and for curves that are not closed.
   double area = 0;
   /// Unit, from A to B. Of two solids that overlap here from the point of B's surface that is nearest to `deepest` to
   /// that of A's; else the direction of the vector area of A's surface within B, else the mean of the faces' normals,
   /// else zero.
   Vec3 normal{};
-  /// Of two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
+  /// For two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
   /// `box` that lie in both. B moved by less than `lower`, in whichever direction, still overlaps A: it is a lower
   /// bound of their penetration. `upper` is at most 10 % more, where that is found in reasonable time, and both are 0,
   /// or `lower` is and `upper` some last places of the coordinates, where they touch. None where one is a surface.

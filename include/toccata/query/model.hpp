@@ -104,7 +104,7 @@ class Model {
   /// It is a mesh or a height field.
   [[nodiscard]] bool has_mesh() const;
 
-  /// Of a compound, in its order; else none.
+  /// The parts of a compound, in its order; empty for any other model.
   [[nodiscard]] std::span<const Model> parts() const;
 
   /// How many elements and faces it has.

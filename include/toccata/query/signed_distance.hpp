@@ -47,13 +47,13 @@ struct SignedDistance {
   friend constexpr bool operator==(const SignedDistance&, const SignedDistance&) = default;
 };
 
-/// Of a world point from a posed model, whatever shape it is. The distance is that of `nearest_point`, certified. The
-/// side of a closed mesh is exact, also when it is inside out or winds around the point several times; so is that of
-/// boxes, balls and the like, whichever way is asked for (sign_by then is the winding number: of such it is 0 or 1);
-/// in points, segments, triangles and flat hulls nothing is inside. A point is inside a compound when it is inside some
-/// part, and then the distance is to the nearest surface of a part, which may lie within another. Throws Error when the
-/// point is not finite, SignBy::winding_number is asked of an open mesh or a closed one has a singular pose, and for
-/// poses as `overlap` does.
+/// The signed distance of a world point from a posed model, whatever shape it is. The distance is that of
+/// `nearest_point`, certified. The side of a closed mesh is exact, also when it is inside out or winds around the point
+/// several times; so is that of boxes, balls and the like, whichever way is asked for (sign_by then is the winding
+/// number: of such it is 0 or 1); in points, segments, triangles and flat hulls nothing is inside. A point is inside a
+/// compound when it is inside some part, and then the distance is to the nearest surface of a part, which may lie
+/// within another. Throws Error when the point is not finite, SignBy::winding_number is asked of an open mesh or a
+/// closed one has a singular pose, and for poses as `overlap` does.
 [[nodiscard]] SignedDistance signed_distance(const Vec3& point, const Model& model, const Pose& pose = {},
                                              SignBy sign_by = SignBy::automatic);
 
@@ -85,13 +85,13 @@ struct WindingOptions {
   double tolerance = 1e-2;
 };
 
-/// Of a world point and a posed mesh or height field, open or closed. Far triangles are summed by their moments with a
-/// proved bound, near ones each (docs/methods/winding-numbers.md; A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust
-/// inside-outside segmentation using generalized winding numbers", 2013; G. Barill, N. G. Dickson, R. Schmidt,
-/// D. I. W. Levin, A. Jacobson, "Fast winding numbers for soups and clouds", 2018). A pose that turns, scales or
-/// mirrors keeps it fast; one that deforms costs every triangle. Which triangles are summed together depends on the
-/// model's tree: after `Model::deform` the value may be another within the bounds. Throws Error when the point is not
-/// finite, the tolerance not positive, the model no mesh, and for poses as `overlap` does.
+/// How often a posed mesh or height field, open or closed, winds around a world point. Far triangles are summed by
+/// their moments with a proved bound, near ones each (docs/methods/winding-numbers.md; A. Jacobson, L. Kavan, O.
+/// Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", 2013; G. Barill, N. G.
+/// Dickson, R. Schmidt, D. I. W. Levin, A. Jacobson, "Fast winding numbers for soups and clouds", 2018). A pose that
+/// turns, scales or mirrors keeps it fast; one that deforms costs every triangle. Which triangles are summed together
+/// depends on the model's tree: after `Model::deform` the value may be another within the bounds. Throws Error when the
+/// point is not finite, the tolerance not positive, the model no mesh, and for poses as `overlap` does.
 [[nodiscard]] WindingNumber generalized_winding_number(const Vec3& point, const Model& model, const Pose& pose = {},
                                                        const WindingOptions& options = {});
 

@@ -62,7 +62,8 @@ struct CageFeatures {
 /// The faces of a mesh as a cage has them.
 struct CagePolygons {
   PolygonMesh polygons;
-  /// Of each vertex of the mesh; the greatest Index of one that no triangle uses, which a cage has not.
+  /// For each vertex of the mesh, its number in the cage; the greatest Index for one that no triangle uses, which the
+  /// cage does not have.
   std::vector<Index> vertex_of;
 };
 
@@ -88,8 +89,8 @@ class SubdivisionCage {
   /// has it: these follow the others, and are corners of the features.
   SubdivisionCage(PolygonMesh polygons, SubdivisionScheme scheme, CageFeatures features = {});
 
-  /// Of `cage_polygons`. Features name vertices of the mesh, and so do errors, with their coordinates. Throws Error as
-  /// both do.
+  /// A cage of the polygons that `cage_polygons` finds. Features name vertices of the mesh, and so do errors, with
+  /// their coordinates. Throws Error as both do.
   [[nodiscard]] static SubdivisionCage of_mesh(const TriangleMesh& mesh, SubdivisionScheme scheme,
                                                CageFeatures features = {});
 
@@ -153,8 +154,8 @@ struct LimitQuery {
   /// undecided.
   double tolerance = 1e-6;
   std::size_t max_faces = std::size_t{1} << 20;  ///< of one level, near the other; the search ends before it has more
-  /// Of faces with the model, or of two cages with each other, in all levels: there the search ends. Where surfaces
-  /// coincide or are parallel over an area, all faces stay near.
+  /// The most comparisons, in all levels, of faces with the model or of the faces of two cages with each other: the
+  /// search ends there. Where surfaces coincide or are parallel over an area, all faces stay near.
   std::size_t max_comparisons = std::size_t{1} << 20;
   Progress progress{};  ///< is told how many of them there were
 };

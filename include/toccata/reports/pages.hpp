@@ -27,16 +27,16 @@ enum class UpAxis { y, z };
 struct ViewOptions {
   std::string title = "Toccata";
   UpAxis up = UpAxis::z;
-  /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, of the tree
-  /// that queries use.
+  /// Draws for every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, those
+  /// of the tree that queries use.
   std::optional<CostVolume> hierarchy{};
-  /// Of every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down to
-  /// 4,096 of them, and all as they are.
+  /// Draws for every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down
+  /// to 4,096 of them, and all as they are.
   std::optional<PartitionKind> partition{};
-  /// Of every object, which have to be convex polytopes, the Voronoi regions of its faces, edges and vertices.
+  /// Draws for every object, which has to be a convex polytope, the Voronoi regions of its faces, edges and vertices.
   bool voronoi = false;
-  /// Of every pair of objects, which have to be convex polytopes, the features that `distance_by_voronoi_walk` visits
-  /// from a vertex of each on, one after the other. At most 32 pairs.
+  /// Draws for every pair of objects, which have to be convex polytopes, the features that `distance_by_voronoi_walk`
+  /// visits from a vertex of each on, one after the other. At most 32 pairs.
   bool voronoi_walk = false;
 };
 

@@ -75,7 +75,8 @@ struct ReportedPair {
   std::optional<OverlapVolume> volume{};
   std::optional<Vec3> common_point{};
   Aabb place{};  ///< around where they meet or are nearest, as far as the answer tells; else around what both may hold
-  /// Of the open mesh about the other, which is inside by it: where ReportOptions::by_winding says so, and nothing else
+  /// The winding number of the open mesh around the other object: filled where it alone, by ReportOptions::by_winding,
+  /// says that this one is inside.
   std::optional<WindingNumber> winding{};
 };
 
@@ -170,8 +171,8 @@ struct CheckReport {
   std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
   std::optional<std::string> baseline{};  ///< the file, where there is one
   std::vector<GonePair> gone{};           ///< of the baseline, in its order
-  /// Of the candidates those that were not looked at, as the check was stopped before: else 0. What is told is right
-  /// all the same, and not all.
+  /// The number of candidates that were not looked at because the check was stopped before; else 0. What is reported is
+  /// right all the same, but not complete.
   std::size_t unfinished = 0;
   bool has_volume = false;
   std::optional<double> tolerance{};  ///< what was asked for all pairs, where a tolerance was; 0 with rules alone

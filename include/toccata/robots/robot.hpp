@@ -120,7 +120,7 @@ class Robot {
   [[nodiscard]] std::span<const RobotLink> links() const;
   [[nodiscard]] std::span<const RobotJoint> joints() const;
   [[nodiscard]] Index root() const;  ///< the link that hangs on none
-  /// Of what configurations are made, in the order of the joints; those that mimic have none.
+  /// The numbers that a configuration is made of, in the order of the joints; joints that mimic others have none.
   [[nodiscard]] std::span<const RobotPosition> positions() const;
   /// All shapes of all links, in their order.
   [[nodiscard]] std::span<const Body> bodies() const;

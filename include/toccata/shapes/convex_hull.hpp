@@ -21,8 +21,8 @@ struct HullTopology {
   std::span<const Index> twin;    ///< of each half-edge, the same edge in the other face, the other way round
   std::span<const Index> face;    ///< of each half-edge, the face it belongs to
   std::span<const Index> leaving;  ///< of each vertex, a half-edge that starts at it
-  /// Of a hull of 512 vertices or more: for each cell of a grid of directions a vertex that is far along them, where a
-  /// walk to the farthest begins. Else empty.
+  /// For each cell of a grid of directions a vertex that is far along them, where a walk to the farthest begins. Empty
+  /// in a hull of fewer than 512 vertices.
   std::span<const Index> guide{};
 
   [[nodiscard]] Index face_count() const { return face_start.empty() ? 0 : static_cast<Index>(face_start.size() - 1); }

@@ -45,14 +45,15 @@ struct WorldOptions {
 
 /// What was asked for in WorldOptions, of one pair; each as the question of that name answers it for (a, b).
 struct PairDetails {
-  /// Of two bodies that have met on the way, one of which went along a motion (World::move_along): as `sweep` tells it
-  /// of a and b, where the other body stands or goes along a motion too.
+  /// The first contact of two bodies that met on the way, one of which went along a motion (World::move_along): as
+  /// `sweep` answers it for a and b, where the other body stands or goes along a motion too.
   std::optional<ShapeHit> first_contact{};
   std::optional<Relation> relation{};
   std::optional<Distance> distance{};
   std::vector<Contact> contacts{};
   std::optional<Manifold> manifold{};  ///< of two convex shapes or one and a half-space
-  /// Of every pair in contact with WorldOptions::manifold, whatever the shapes: what `manifolds` answers.
+  /// What `manifolds` answers for the pair, whatever the shapes: filled for every pair in contact with
+  /// WorldOptions::manifold.
   std::vector<ModelManifold> manifolds{};
   std::optional<Penetration> penetration{};
 
