@@ -109,7 +109,7 @@ class BspPlanes {
   [[nodiscard]] const AxisPlane& axis_plane(BspPlane plane) const {
     return axis_planes_[plane - 10 * triangle_count()];
   }
-  /// Of a plane that is neither of a triangle nor across an axis.
+  /// The edge plane with this number, which is neither of a triangle nor across an axis.
   [[nodiscard]] EdgePlane edge_plane(BspPlane plane) const;
   [[nodiscard]] EdgeEnds edge_of(const EdgePlane& plane) const;
   [[nodiscard]] std::size_t bytes() const { return axis_planes_.capacity() * sizeof(AxisPlane); }

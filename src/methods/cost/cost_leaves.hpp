@@ -13,7 +13,7 @@
 
 namespace toccata {
 
-/// Of operations that were repeated on purpose.
+/// The number of operations that were repeated on purpose, and the time they took.
 struct TimedOperations {
   std::size_t count = 0;
   double nanoseconds = 0;

@@ -60,7 +60,7 @@ class FarSearch {
       const SumOperand::HalfEdge& edge = other_.half_edges()[h];
       const SumOperand::Face& beside = other_.faces()[edge.face];
       if (own_.slope(face, other_, edge.next) != Sign::zero) continue;
-      // Of a flat operand both faces lie in the plane then, and one has the normal.
+      // Both faces of a flat operand lie in the plane then, and one has the normal.
       if (other_.dimension() == 2 && !normals_agree(face, edge.face)) continue;
       far = {.vertex = far.vertex, .first = beside.first, .size = beside.size};
       return;

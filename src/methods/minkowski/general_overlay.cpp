@@ -37,7 +37,7 @@ class GeneralOverlay {
   [[nodiscard]] SumFacets&& facets() { return std::move(facets_); }
 
  private:
-  /// Of each face the vertex of the other operand that is farthest along its normal.
+  /// Finds, for each face, the vertex of the other operand that is farthest along its normal.
   [[nodiscard]] static bool find_far(const SumOperand& own, const SumOperand& other, std::vector<Index>& far) {
     far.resize(own.faces().size());
     Index vertex = 0;

@@ -35,7 +35,7 @@ class KeyNumbers {
       }
   }
 
-  /// Of one that was added.
+  /// The number of a key that was added.
   [[nodiscard]] Index of(std::size_t key) const { return number_[key]; }
 
  private:

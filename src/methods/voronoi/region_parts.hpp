@@ -55,7 +55,7 @@ struct VoronoiRegions::Parts {
   std::vector<Spoke> spokes;
   std::vector<Index> edge_number;  // of each half-edge, where its edge is
   std::vector<Edge> edges;
-  /// Of each edge: the face in which it leads to its greater end, and the other.
+  /// For each edge, the face in which it leads to its greater end, and the other.
   std::vector<std::array<Index, 2>> faces_at;
   std::vector<RegionPlane> rims;  // of each half-edge: the edge–face plane
   std::vector<Side> sides;
