@@ -14,7 +14,7 @@ struct Fork {
   Index left = no_index;
   Index right = no_index;
   Index item = no_index;
-  /// Of `equal_regions`: with its parent it makes one node, whose region both cut.
+  /// Set by `equal_regions`: with its parent it makes one node, whose region both cut.
   bool goes_on = false;
 
   [[nodiscard]] bool is_leaf() const { return item != no_index; }

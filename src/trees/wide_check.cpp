@@ -21,7 +21,7 @@ struct Real2 {
   double rounded = infinity;
   double rest = 0;
 
-  // Of equal ones the larger may also be the less: where a number lies half way between two doubles.
+  // Equal numbers may compare either way where they lie half way between two doubles.
   friend bool operator<=(const Real2& x, const Real2& y) {
     return x.rounded < y.rounded || (x.rounded == y.rounded && x.rest <= y.rest);
   }

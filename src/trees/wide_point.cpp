@@ -35,7 +35,7 @@ class VisitedLeaves {
     visit_ = &visit;
   }
 
-  /// Of a block the items in these lanes; returns the limit from then on.
+  /// Shows the items in these lanes of a block; returns the limit from then on.
   double see(std::size_t number, unsigned items) {
     std::array<Index, WideBlock::width> places;
     std::size_t count = 0;
