@@ -62,7 +62,7 @@ template <class A, class B>
   return (low_b - high_a) - 2 * unit_roundoff * (std::fabs(low_b) + std::fabs(high_a));
 }
 
-/// Of a half-space the direction is its own, whatever is given; where its normal has no length of doubles, nothing is
+/// For a half-space the direction is its own, whatever is given; where its normal has no length of doubles, nothing is
 /// certain. The height of its point passes four roundings.
 template <class A>
 [[nodiscard]] double separation_along(const PlacedSet<A>& a, const PlacedSet<PosedHalfSpace>& b, const Vec3&) {

@@ -183,7 +183,7 @@ class FeaturePairs {
     });
   }
 
-  /// Of two meshes, that of the first comes first; of one, the lesser.
+  /// Shows two features in order: of two meshes, that of the first comes first; of one mesh, the lesser.
   template <bool turned, class See>
   bool in_order(const MeshFeature& a, const MeshFeature& b, const See& see) const {
     return (question_.is_within_one ? b < a : turned) ? see(b, a) : see(a, b);

@@ -11,8 +11,8 @@ namespace toccata {
 /// Two convex sets that move, as the search for their first contact sees them.
 class MovingPair {
  public:
-  /// Of length 1, from the first to the second: along it they seem to be farthest apart at the time. Zero where they
-  /// seem to meet. A guess.
+  /// A direction of length 1, from the first to the second: along it they seem to be farthest apart at the time. Zero
+  /// where they seem to meet. A guess.
   [[nodiscard]] virtual Vec3 direction(double time) = 0;
 
   /// So far they are certainly apart along the direction then; negative where they are not, and NaN where nothing is
