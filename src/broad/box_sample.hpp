@@ -14,7 +14,8 @@ class BoxSample {
  public:
   explicit BoxSample(std::span<const Aabb> boxes);
 
-  /// Of numbers in order, that of rank one in a hundred, of 95 in a hundred, and the last. 0 of none.
+  /// From numbers in order: that of rank one in a hundred, the median, that of 95 in a hundred, and the last; 0 if
+  /// there are none.
   struct Spread {
     double low = 0, median = 0, high = 0, most = 0;
   };
@@ -37,10 +38,10 @@ class BoxSample {
 struct BoxDensity {
   BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes);
 
-  /// Of two boxes, how likely one is met in a sweep along the best axis from the other.
+  /// How likely it is that, of two boxes, one is met in a sweep along the best axis from the other.
   double swept = 0;
-  /// Of two boxes, how likely one is looked at in a grid from the other; what is larger than cells is counted by what
-  /// it costs.
+  /// How likely it is that, of two boxes, one is looked at in a grid from the other; what is larger than cells is
+  /// counted by what it costs.
   double near = 0;
   bool heaped = false;  ///< far from evenly spread
 };

@@ -49,7 +49,7 @@ double longest_side(const Aabb& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Of a power of two above this; for 0 one below all.
+/// The exponent of a power of two above this; for 0 one below all.
 int exponent_above(double size) { return size > 0 ? std::ilogb(size) + 1 : -1080; }
 
 /// Each box is entered, by key, into every cell that it reaches into; boxes of equal key are compared. Different cells

@@ -210,7 +210,7 @@ class AnimationReader {
 
   static Quaternion quaternion_of(std::span<const double> q) { return {q[0], q[1], q[2], q[3]}; }
 
-  /// Of the keys of both, each once.
+  /// The times of the keys of both, each once.
   static std::vector<double> times_of(const std::vector<MotionKey>& shifts, const std::vector<MotionKey>& turns,
                                       const JsonValue& json) {
     std::set<double> times;
