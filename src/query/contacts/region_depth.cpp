@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-/// Of equal ones the first in space, so that the order of the solids does not show.
+/// Whether p is deeper; of equal ones, whether it is the first in space, so that the order of the solids does not show.
 bool is_deeper(const DeepestPoint& p, const DeepestPoint& q) {
   if (p.depth != q.depth) return p.depth > q.depth;
   return lexicographically_less(p.point, q.point);

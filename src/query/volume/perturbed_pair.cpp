@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of the product of the triangle's normal with the way of the first solid.
+/// The sign of the product of the triangle's normal with the way of the first solid.
 Sign side_of_way(const Triangle& t) {
   for (int axis = 0; axis < 3; ++axis)
     if (const Sign sign = projected_orientation(t, axis); sign != Sign::zero) return sign;

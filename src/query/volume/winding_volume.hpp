@@ -30,7 +30,7 @@ struct WindingVolume {
 /// are several or it could not be proved that there are not.
 [[nodiscard]] std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, SearchScratch& scratch);
 
-/// Of two boxes that overlap.
+/// What two boxes that overlap have in common.
 [[nodiscard]] Aabb common_box(const Aabb& a, const Aabb& b);
 
 }  // namespace toccata
