@@ -61,7 +61,7 @@ class Flight {
   [[nodiscard]] bool is_at_rest() const { return is_at_rest_; }
   /// All its poses are rotations but for 2⁻²⁰: its inner ball stays as it is.
   [[nodiscard]] bool is_rigid() const { return is_rigid_; }
-  /// Of the centre, and of all points but for how the body turns.
+  /// The motion of the centre, and of all points but for how the body turns.
   [[nodiscard]] const SpaceTimeMotion& motion() const { return motion_; }
   /// How much farther than that a point may go in a step, turning evenly.
   [[nodiscard]] double turning_speed() const { return turning_speed_; }
