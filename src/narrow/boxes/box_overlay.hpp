@@ -42,7 +42,7 @@ struct BoxOverlay {
   unsigned enters_along_x, leaves_along_x;  ///< across a side of the rectangle that is along y
   unsigned goes_up_x, goes_up_y;            ///< towards greater coordinates
 
-  /// Of the rectangle, which the parallelogram's side crosses at a place from first_entry on.
+  /// The side of the rectangle which the parallelogram's side crosses at a place from first_entry on.
   [[nodiscard]] Index crossed_side(Index place) const {
     const Index side = place & 3U;
     const bool is_exit = place >= first_exit;
@@ -61,8 +61,8 @@ struct ChosenPlaces {
   std::size_t count;
 };
 
-/// Of the corners that touch, or nearly do, each once: all up to four; else the deepest, the farthest from it, and the
-/// farthest to both sides of the line through these, or the two farthest to one.
+/// Chooses among the corners that touch, or nearly do, each once: all up to four; else the deepest, the farthest from
+/// it, and the farthest to both sides of the line through these, or the two farthest to one.
 [[nodiscard]] ChosenPlaces chosen_places(const BoxOverlay& overlay);
 
 }  // namespace toccata

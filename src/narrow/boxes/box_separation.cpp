@@ -118,7 +118,7 @@ std::optional<Vec3> deepest_over_face(const BoxView& a, const BoxView& b, const 
   return BoxFacePlane(reference, contact.faces.reference).at(x / count, y / count);
 }
 
-/// Of a face against whatever lies deepest over it.
+/// Finds the points of a face against whatever lies deepest over it.
 bool find_points_of_face(CoreSeparation& separation, const BoxView& a, const BoxView& b, const RigidBoxAxes& axes,
                          const ChosenBoxAxis& axis) {
   const Vec3 way = separation.upper * axis.direction;
@@ -146,7 +146,7 @@ std::array<Index, 3> corners_of_face(const BoxView& box, std::size_t across, con
   return {corner, corner ^ x, corner ^ y};
 }
 
-/// Of the facet that belongs to an axis.
+/// The corners of the facet that belongs to an axis.
 VertexPairs facet_corners(const PosedPolytope& a, const PosedPolytope& b, const ChosenBoxAxis& axis) {
   const BoxView view_a = view_of(a), view_b = view_of(b);
   const Index of_a = farthest_corner(view_a, axis.direction), of_b = farthest_corner(view_b, -axis.direction);
@@ -202,7 +202,7 @@ Vec3 farthest_point(const BoxView& box, const Vec3& direction) {
   return point;
 }
 
-/// Of boxes that an axis parts, which needs neither the nearest points nor the way between them.
+/// The answer for boxes that an axis parts, which needs neither the nearest points nor the way between them.
 CoreSeparation parted_along(const BoxView& a, const BoxView& b, Index axis) {
   const Vec3 way = b.box->centre - a.box->centre;
   CoreSeparation separation;

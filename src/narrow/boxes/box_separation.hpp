@@ -21,7 +21,7 @@ struct ChosenBoxAxis {
   double sine = 1;         ///< of the angle between the edges
 };
 
-/// Of an edge of each, not of a face.
+/// Whether the axis is that of an edge of each, not of a face.
 [[nodiscard]] inline bool is_of_edges(const ChosenBoxAxis& axis) { return axis.edge_a != 3 && axis.edge_b != 3; }
 
 /// The axis along which the boxes overlap the least; edge pairs only where they have less than `edge_share` of the best
@@ -52,7 +52,7 @@ struct OverlappingBoxes {
 [[nodiscard]] std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach,
                                                              OverlappingBoxes& found);
 
-/// Of boxes in canonical order for which `part_rigid_boxes` has nothing.
+/// The penetration of boxes in canonical order for which `part_rigid_boxes` has nothing.
 [[nodiscard]] std::optional<Penetration> penetration_of_close_boxes(const PosedPolytope& a, const PosedPolytope& b,
                                                                     const OverlappingBoxes& found);
 

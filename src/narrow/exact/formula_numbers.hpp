@@ -172,7 +172,7 @@ inline bool is_along_axis(const Vec3& v) {
   return Distance{gap - off, gap + off, on_a, on_b, Status::exact};
 }
 
-/// Of shapes with radii: the answer of `distance`, if the numbers are good enough for what is promised of it. They are
+/// The answer of `distance` for shapes with radii, if the numbers are good enough for what is promised of it. They are
 /// given by value, so that those of shapes without radii need no memory.
 [[nodiscard]] std::optional<Distance> offset_formula_distance(FormulaNearest nearest, double radius_a, double radius_b);
 

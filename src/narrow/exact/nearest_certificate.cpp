@@ -153,7 +153,7 @@ std::optional<CertainNearest> certain_from(const SupportSearch& a, const Support
     LevelVertices level;
     const Verification found = verify(a, b, pair, others, level);
     if (found.others == OtherVertices::unknown) return {};
-    // Of a facet's points any will do.
+    // Any of a facet's points will do.
     if (found.others != OtherVertices::one_before)
       return certain(pair, level, others == OthersAre::behind ? OtherVertices::beyond : found.others);
     const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), others, found);
