@@ -54,9 +54,10 @@ template <class Number>
 /// origin, no direction of the cap |x| ≤ t has a lower height than h.
 class QuadricCap {
  public:
-  /// Of the generators that are highest along the axis.
+  /// The cap of the generators that are highest along the axis.
   QuadricCap(const QuadricBody& a, const QuadricBody& b, const HighestPoint& highest);
-  /// Of up to three pairs, which need not be the highest ones: what is told is then still no more than the height.
+  /// The cap of up to three pairs, which need not be the highest ones: what is told is then still no more than the
+  /// height.
   QuadricCap(const QuadricBody& a, const QuadricBody& b, const Vec3& axis, std::span<const GeneratorPair> generators);
 
   [[nodiscard]] const Vec3& axis() const { return axis_; }

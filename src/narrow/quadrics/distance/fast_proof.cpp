@@ -43,7 +43,7 @@ class LongSum {
     rest_ += product.low;
   }
   [[nodiscard]] double value() const { return sum_ + rest_; }
-  /// Of up to 24 terms: u of the value, and 24² u² of the magnitudes.
+  /// The error of up to 24 terms: u of the value, and 24² u² of the magnitudes.
   [[nodiscard]] double error() const {
     return 2 * unit_roundoff * std::fabs(value()) + 2000 * unit_roundoff * unit_roundoff * size_;
   }
@@ -165,7 +165,7 @@ class LocalPoint {
                     -(nz * down) + 2 * (error * down) + 4 * unit_roundoff * std::fabs(nz * down));
   }
 
-  // Of the terms that nearly cancel, each difference rounds no more than the next term and what is left.
+  // Each difference of the terms that nearly cancel rounds no more than the next term and what is left.
 
   /// 2.5 u of the length, 3 u of the product, u of p; 2 u of the rise, u of the difference; 3 u of what is left.
   [[nodiscard]] double beyond_base(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {
