@@ -84,8 +84,8 @@ struct Pose {
 
 /// The rotation nearest to `m` in the Frobenius norm, its orthogonal polar factor, by Newton's iteration scaled (N. J.
 /// Higham, "Computing the polar decomposition — with applications", SIAM J. Sci. Stat. Comput. 7, 1986, section 3) in
-/// doubles: off by about 2⁻⁴⁸ times what the greatest singular value is of the sum of the two least. Of what drifted or
-/// came from floats it makes a pose that every shape accepts. Throws Error when `m` is not finite, its exact
+/// doubles: off by about 2⁻⁴⁸ times what the greatest singular value is of the sum of the two least. It makes a pose
+/// that every shape accepts of one that drifted or came from floats. Throws Error when `m` is not finite, its exact
 /// determinant is not positive (it mirrors or flattens), or it is so nearly singular that doubles do not tell the
 /// rotation.
 [[nodiscard]] Mat3 nearest_rotation(const Mat3& m);

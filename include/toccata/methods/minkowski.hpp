@@ -65,8 +65,8 @@ class MinkowskiSum {
   /// radii included. What has no interior has nothing but boundary. Looks at every face; SumLocator is quicker where
   /// many points are asked. Throws Error when the point is not finite.
   [[nodiscard]] Sign side_of(const Vec3& point) const;
-  /// The point lies in the sum or on its boundary. Of a difference A − B, B moved by exactly this vector meets A; at
-  /// zero that is `overlap(A, B)`.
+  /// The point lies in the sum or on its boundary. Where the sum is a difference A − B, B moved by exactly this vector
+  /// meets A; at zero that is `overlap(A, B)`.
   [[nodiscard]] bool contains(const Vec3& point) const { return side_of(point) != Sign::positive; }
 
   /// The hull of the rounded vertices, without the radius. Vertices may be fewer where rounding made a face bend.
@@ -133,7 +133,7 @@ class OffsetSolid {
   [[nodiscard]] bool in_moved_planes(const Vec3& point) const;
 
   /// Behind these and behind one more plane across each edge and each corner, which touches the offset solid there:
-  /// still accepts all of it, and less beside it. Of a box the error is at most 13 % of the distance instead of 73 %.
+  /// still accepts all of it, and less beside it. For a box the error is at most 13 % of the distance instead of 73 %.
   /// The planes of bevels are rounded, to the accepting side.
   [[nodiscard]] bool in_beveled_planes(const Vec3& point) const;
 

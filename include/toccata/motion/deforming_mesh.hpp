@@ -66,7 +66,7 @@ struct MeshFeature {
   friend constexpr auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
 };
 
-/// Two features that meet, and when first. Of two meshes, `a` is of the first; of one, it is the lesser. They are
+/// Two features that meet, and when first. For two meshes, `a` is of the first; for one, it is the lesser. They are
 ///  - a vertex and a face, or two edges, at any time;
 ///  - an edge and a face that meet at the start, as where it pierces it: their time is 0. (Had they met only later, so
 ///    would one of the pairs above have, before or then.)

@@ -129,13 +129,12 @@ struct SweepQuery {
 ///   not_converged  nothing is met before `lower`, and of what comes then nothing is known: two convex shapes that turn
 ///              often, or very close, beside each other, so that 65,536 steps did not tell
 ///
-/// What does not turn is answered by `cast_shape`. Of meshes, height fields and compounds it is the earliest of their
+/// What does not turn is answered by `cast_shape`. For meshes, height fields and compounds it is the earliest of their
 /// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` tells
 /// it, and those that are then as near as `stop_before` with the two elements that `distance` names. The normal is from
-/// B to A. Of a half-space and another nothing is asked, as in `cast_shape`.
-/// Throws Error for what `overlap` throws for at the poses of the start, when `stop_before` is not finite, for what the
-/// table of pairs.hpp does not define of casts, and when a motion that is told by a function moved faster than its
-/// bound.
+/// B to A. Two half-spaces are not asked about, as in `cast_shape`. Throws Error for what `overlap` throws for at the
+/// poses of the start, when `stop_before` is not finite, for what the table of pairs.hpp does not define of casts, and
+/// when a motion that is told by a function moved faster than its bound.
 [[nodiscard]] ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                              const SweepQuery& query = {});
 

@@ -26,9 +26,8 @@ struct SweptVolumeOptions {
 /// model, at the pose Pose{}.
 struct SweptVolume {
   /// A capsule of a sphere that moves straight on, a convex hull of a convex polytope that does, that hull grown by a
-  /// radius of what turns, and a compound of such parts. At rest the body's own shapes. Of a mesh that is taken as a
-  /// solid the mesh itself, where it starts, is a part too: nothing else comes inside but through what its surface
-  /// passes.
+  /// radius of what turns, and a compound of such parts. At rest it is the body's own shapes. A mesh that is taken as a
+  /// solid is itself a part too, where it starts: nothing else comes inside but through what its surface passes.
   Model model;
   /// No point of it is farther from a point that is passed, in world units. Proved; 0 says that all its points are.
   double excess = 0;

@@ -130,8 +130,8 @@ namespace toccata {
 //   cone       face 0 the cap, 1 the side; edges 0 to 3 the quarters of the rim; vertex 0 the tip
 //   ellipsoid  face 0
 //
-// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit. Of two equal shapes at
-// one place both orders are the same question, and have the same answer.
+// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit. For two equal shapes
+// at one place both orders are the same question, and have the same answer.
 [[nodiscard]] Manifold manifold(const PosedQuadric& a, const PosedQuadric& b);
 [[nodiscard]] Manifold manifold(const PosedQuadric& a, const PosedPolytope& b);
 [[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedQuadric& b);
@@ -145,7 +145,7 @@ namespace toccata {
 
 // Apart and overlapping (crossing: a surface) are proved, and containment. Touching is exact where a point of doubles
 // in both and a plane between them prove it, as along the axes, and against half-spaces; else it has the status
-// undecided, and stands for what QuadricContact calls so, or for a contact without such a plane. Of two that overlap,
+// undecided, and stands for what QuadricContact calls so, or for a contact without such a plane. For two that overlap,
 // undecided says: within 10⁻¹² of the size of one holding the other; not_converged: a search ended, near a capsule or a
 // rounded shape. Containment is none then.
 [[nodiscard]] Relation relation(const PosedQuadric& a, const PosedQuadric& b);

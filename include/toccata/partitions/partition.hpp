@@ -53,8 +53,8 @@ struct PartitionCell {
 };
 
 /// A partition of space over items. A candidate is an item whose box overlaps what is asked about and that shares a
-/// region with it: none that meets it is missing. Of items that are boxes the candidates are the answer; of triangles
-/// `PartitionItems::meets` and `meet` decide. Const functions may be called from many threads at once.
+/// region with it: none that meets it is missing. Where the items are boxes the candidates are the answer; for
+/// triangles `PartitionItems::meets` and `meet` decide. Const functions may be called from many threads at once.
 template <class P>
 concept SpacePartition = requires(const P& partition, const Aabb& box) {
   /// Those that hold an item.

@@ -14,8 +14,8 @@
 
 namespace toccata {
 
-/// Two triangles, one of each model, that have a point in common, and what they have in common. Of models that are not
-/// made of triangles, the elements (see Model) instead.
+/// Two triangles, one of each model, that have a point in common, and what they have in common. For models that are not
+/// made of triangles, these are elements (see Model) instead.
 struct Contact {
   Index triangle_a = 0;
   Index triangle_b = 0;
@@ -92,9 +92,9 @@ struct ContactRegion {
   /// of the shadow of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 for points
   /// and for curves that are not closed.
   double area = 0;
-  /// Unit, from A to B. Of two solids that overlap here from the point of B's surface that is nearest to `deepest` to
-  /// that of A's; else the direction of the vector area of A's surface within B, else the mean of the faces' normals,
-  /// else zero.
+  /// Unit, from A to B. For two solids that overlap here it leads from the point of B's surface that is nearest to
+  /// `deepest` to that of A's; else it is the direction of the vector area of A's surface within B, else the mean of
+  /// the faces' normals, else zero.
   Vec3 normal{};
   /// For two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
   /// `box` that lie in both. B moved by less than `lower`, in whichever direction, still overlaps A: it is a lower

@@ -91,8 +91,8 @@ class Model {
   Refit deform(std::vector<Vec3> vertices, int threads = own_thread);
 
   /// Makes what is not made yet of these, of the parts of a compound too, on up to `threads` threads
-  /// (core/parallel.hpp): then no question waits for it. Of other shapes there is nothing to make. Questions may be
-  /// asked meanwhile.
+  /// (core/parallel.hpp): then no question waits for it. Other shapes have nothing to make. Questions may be asked
+  /// meanwhile.
   void prepare(std::span<const ModelPart> parts = all_model_parts, int threads = all_threads) const;
 
   /// What there is to make, or was made, of each of `all_model_parts`, in their order; of a compound that of its parts

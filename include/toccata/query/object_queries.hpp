@@ -38,8 +38,8 @@ struct InstanceView {
 
 /// The questions that SceneIndex and WorldQueries answer. `Objects` says what is asked, how an object is named (`Id`),
 /// by what some are chosen (`Filter`), and in what an answer about one of them comes (`Found`). Questions may be asked
-/// from many threads at once; the answers do not depend on them. Of a shape that is asked about, name and group are not
-/// looked at. Errors about an object begin with its name.
+/// from many threads at once; the answers do not depend on them. The name and group of a shape that is asked about are
+/// not looked at. Errors about an object begin with its name.
 ///
 /// The first and the nearest of all are the least by (upper, id), and `lower` is such that the interval contains the
 /// exact number of all of them together, as that of a compound does. Lists ascend by id unless more is said.

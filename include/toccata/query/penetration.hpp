@@ -9,8 +9,8 @@
 
 namespace toccata {
 
-/// How deep two solids overlap, and a short way to part them. Of two convex shapes, or one and a half-space, as in
-/// convex_convex.hpp. Of closed meshes and compounds the bracket holds as well, and is wider: `lower` is proved by
+/// How deep two solids overlap, and a short way to part them. For two convex shapes, or one and a half-space, it is as
+/// in convex_convex.hpp. For closed meshes and compounds the bracket holds as well, and is wider: `lower` is proved by
 /// convex bodies within the two, `upper · direction` by a distance that is not 0 after it, in the world doubles and in
 /// exact arithmetic (docs/methods/penetration.md). Then `status` is `not_converged` where upper > 1.5 · lower; on_a and
 /// on_b are where the two come apart last. When they do not overlap, both bounds are 0 and the points those of

@@ -11,8 +11,8 @@ namespace toccata {
 /// Throws like `overlap`.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query = {});
 
-/// The same, for a caller who asks often. Of solids whose surfaces meet, what lies beside them is looked at in rational
-/// numbers; these take memory of their own.
+/// The same, for a caller who asks often. Where the surfaces of solids meet, what lies beside them is looked at in
+/// rational numbers; these take memory of their own.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
 /// Make a Model of it, once: `Model(mesh)`.

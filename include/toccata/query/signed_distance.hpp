@@ -68,7 +68,7 @@ struct SignedDistance {
                                                                const BatchOptions& batch = {});
 
 /// How much of the sphere of directions around a point the triangles of a mesh cover, each counted positive where it is
-/// seen from its back: the generalised winding number. Of a closed mesh it is the winding number of `locate`, but for
+/// seen from its back: the generalised winding number. For a closed mesh it is the winding number of `locate`, but for
 /// rounding. A triangle in whose plane the point lies counts 0; so on a face it is the mean of both sides.
 struct WindingNumber {
   double value = 0;

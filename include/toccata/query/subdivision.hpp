@@ -25,7 +25,8 @@ enum class SubdivisionScheme : std::uint8_t {
 
 /// An edge of the cage that is to stay sharp: for ever where the sharpness is `sharp_for_ever` or more, else for as
 /// many levels, and blended in the last where it is no whole number (T. DeRose, M. Kass, T. Truong, "Subdivision
-/// surfaces in character animation", 1998; uniform, as OpenSubdiv has it). Of several for one edge the sharpest counts.
+/// surfaces in character animation", 1998; uniform, as OpenSubdiv has it). Where one edge has several, the sharpest
+/// counts.
 struct CageCrease {
   Index first = 0;
   Index second = 0;

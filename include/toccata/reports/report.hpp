@@ -106,7 +106,7 @@ struct ToleranceRule {
 struct NameRules {
   std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
   std::vector<NameRule> ignored{};  ///< no pair of these
-  /// Instead of the tolerance of all pairs. Of several rules about a pair the last counts.
+  /// Instead of the tolerance of all pairs. Where several rules are about a pair, the last counts.
   std::vector<ToleranceRule> tolerances{};
   /// They leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
@@ -269,7 +269,7 @@ struct SelfReport {
 /// How many of the objects intersect themselves.
 [[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
 
-/// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
+/// Into which convex parts the closed mesh of a scene is cut: `decompose`. The mesh is taken as it is posed, in the
 /// world.
 struct DecomposeQuestion {
   static const io::QuestionKind kind;  ///< scene_question.hpp

@@ -62,7 +62,7 @@ struct DistancePosesQuestion {
   std::vector<PairQuery> queries;
 };
 
-/// What rays meet first: `ray`. Of each ray only its origin and its motion count.
+/// What rays meet first: `ray`. Only the origin and the motion of each ray count.
 struct RayQuestion {
   static const io::QuestionKind kind;
   std::vector<RayQuery> rays;

@@ -14,7 +14,8 @@
 
 namespace toccata {
 
-/// An item of the first tree and one of the second. Of one tree with itself: two different items, first < second.
+/// An item of the first tree and one of the second. Where a tree is walked with itself, these are two different items,
+/// first < second.
 struct ItemPair {
   Index first;
   Index second;
