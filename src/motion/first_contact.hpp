@@ -16,7 +16,7 @@ class MovingPair {
   [[nodiscard]] virtual Vec3 direction(double time) = 0;
 
   /// So far they are certainly apart along the direction then; negative where they are not, and NaN where nothing is
-  /// certain. Of a half-space its normal is the direction, whatever is given.
+  /// certain. For a half-space its normal is the direction, whatever is given.
   [[nodiscard]] virtual double separation(double time, const Vec3& direction) = 0;
 
   /// A separation along a direction that is shorter than 1 tells of no more than one along a direction of length 1.

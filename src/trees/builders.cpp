@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// A power of two. Of things that are all in one place, or nearly, it must not make the place itself too far away.
+/// A power of two. Where things are all in one place, or nearly, it must not make the place itself too far away.
 double factor_for(const Aabb& box) {
   const double farthest = std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.lower.z),
                                     std::abs(box.upper.x), std::abs(box.upper.y), std::abs(box.upper.z)});

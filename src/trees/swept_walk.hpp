@@ -38,8 +38,8 @@ struct SweptFrontier {
   WalkCounts counts;
 };
 
-/// Directions that tell boxes from an item better than its own box does, where they are small beside it. Of the item's
-/// side `whole` is of the item.
+/// Directions that tell boxes from an item better than its own box does, where they are small beside it. On the item's
+/// side, `whole` is that of the item.
 class SweptItems {
  public:
   [[nodiscard]] virtual std::span<const SweptDirection> directions_beside(std::size_t side, Index item) = 0;

@@ -36,8 +36,8 @@ struct LastSights {
 
 [[nodiscard]] Sight sight_of(const TurningParts& parts, const Pose& pose);
 
-/// Within the body at its pose, which is a rotation but for 2⁻²⁰, and at every other such pose around where the centre
-/// is then. Of radius 0 where no ball is known to be.
+/// A ball within the body at its pose, which is a rotation but for 2⁻²⁰, and at every other such pose around where the
+/// centre is then. Its radius is 0 where no ball is known to be.
 [[nodiscard]] Ball inner_ball(const TurningParts& parts, const Pose& pose);
 
 /// How a body is expected to move for some steps from one on. A step is the unit of time.

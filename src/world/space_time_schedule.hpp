@@ -18,7 +18,7 @@ namespace toccata {
 /// Which pairs of bodies a step has to look at, after P. M. Hubbard (1995).
 ///
 /// For a stretch of steps bodies *fly*: each has a bound in space and time on where it can be (Flight), and the broad
-/// phase has the box around that of all the stretch. Of two bodies that fly, whose boxes overlap, it is computed when
+/// phase has the box around that of all the stretch. For two bodies that fly, whose boxes overlap, it is computed when
 /// they can meet at the earliest, and until then nobody looks at them. At each step it is tested for each body whether
 /// it is where its bound says. One that is not *lands*: it is in the broad phase with its own box again, as all bodies
 /// are without space_time, and its pairs are looked at each step.

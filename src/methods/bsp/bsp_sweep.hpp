@@ -59,8 +59,8 @@ struct BspHeights {
  private:
   /// Where the exact height of the shape's lowest or highest point is 0, the computed one is within the error, so this
   /// is no farther from where the computed one is 0 than the error over the rise. The error is 2^-20 of the slope times
-  /// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here. Of
-  /// the whole motion it is 3 · 2^-49 at least, as the error is at least three times the slope times `off_`
+  /// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here. As a
+  /// share of the whole motion it is 3 · 2^-49 at least, as the error is at least three times the slope times `off_`
   /// (bsp_sweep.cpp). So beginnings are early by 48 roundings of the time, which leaves enough for those of
   /// `time_before`.
   [[nodiscard]] BspStretch cut(BspStretch stretch, double risen, bool begins) const {

@@ -12,7 +12,7 @@
 namespace toccata {
 
 /// A parallelogram, centre ± along_x ± along_y, over a rectangle around the origin of which the sides are along x and
-/// y. Of its corners number 0 is at −, −, 1 at +, −, 2 at +, +, 3 at −, +, and side k leaves corner k; those of the
+/// y. Its corner number 0 is at −, −, 1 at +, −, 2 at +, +, 3 at −, +, and side k leaves corner k; those of the
 /// rectangle are numbered likewise.
 struct SeenFace {
   Vec3 centre;

@@ -7,8 +7,8 @@
 namespace toccata {
 
 /// The shortest way to part two shapes that meet, solid or not, and the vertices of the cores between which it was
-/// found: those whose hulls hold the two points. Of surfaces, and of shapes that touch, a direction along which they
-/// can be parted; both bounds are 0 then. Nothing of use when the shapes are apart.
+/// found: those whose hulls hold the two points. For surfaces, and for shapes that touch, it is a direction along which
+/// they can be parted; both bounds are 0 then. Nothing of use when the shapes are apart.
 struct ConvexSeparation {
   Penetration penetration;
   VertexPairs pairs;

@@ -42,8 +42,8 @@ struct SpreadFeatures {
 
 struct FormulaNumbers {
   FormulaNearest nearest;
-  /// A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its
-  /// normal, or the opposite.
+  /// A positive multiple of the features' exact difference, each coordinate off by the slack at most. For features that
+  /// span a plane it is the normal, or the opposite.
   Vec3 across;
   double slack = 0;
   bool is_turned = false;  ///< of a plane: the opposite

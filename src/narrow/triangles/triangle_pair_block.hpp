@@ -21,7 +21,7 @@ struct alignas(64) TrianglePairBlock {
   Corners b;
   std::size_t count = 0;  ///< how many lanes hold pairs
 
-  // Written by `classify_pairs`. Of the verdicts bit i is for lane i; a pair with neither is certainly apart.
+  // Written by `classify_pairs`. Bit i of a verdict is for lane i; a pair with neither is certainly apart.
   std::uint8_t intersection = 0;  ///< certainly have a point in common
   std::uint8_t unknown = 0;       ///< plain arithmetic cannot tell: ask `overlap` or `intersect`
   std::uint64_t signs = 0;        ///< for `intersection_in`

@@ -12,7 +12,7 @@
 // meshes.
 namespace toccata {
 
-// The nearest triangle where there are several, and its face. Of a quadric the status is that of quadrics.hpp:
+// The nearest triangle where there are several, and its face. For a quadric the status is that of quadrics.hpp:
 // undecided when some triangle is and none is proved to meet the shape. A search for what is near enough ends at the
 // first triangles that are.
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b,

@@ -166,8 +166,8 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
   /// There is a pair within the limit, but for what intervals leave open.
   [[nodiscard]] bool found_any() const { return limit_ < 0 || !candidates_.empty(); }
 
-  /// The distance of the nearest of all pairs that were seen and wanted; none of them meet, and there is one. Of two
-  /// that are near enough, only this. What is kept of the nearest two saves time and changes nothing.
+  /// The distance of the nearest of all pairs that were seen and wanted; none of them meet, and there is one. Where two
+  /// are near enough, it tells only this. What is kept of the nearest two saves time and changes nothing.
   [[nodiscard]] Distance nearest(SimplexCache* kept = nullptr);
 
   /// Whether one of the same pairs is at most that far apart.

@@ -58,7 +58,7 @@ class GrowingSurface {
   bool add(const Corner& corner, std::size_t beyond);
 
   /// The facet's plane is certainly higher than that where each of its corners is off by no more than `error`, which is
-  /// at least 2⁻⁵⁰ of what the corners' coordinates and these' parts are. Of doubles alone.
+  /// at least 2⁻⁵⁰ of what the corners' coordinates and these' parts are. It is decided in doubles alone.
   [[nodiscard]] bool is_surely_above(std::size_t f, double height, double error) const;
 
  private:

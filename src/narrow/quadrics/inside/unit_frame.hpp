@@ -9,7 +9,7 @@
 
 namespace toccata {
 
-/// What is known of one set in another. Of several sets together the greatest counts.
+/// What is known of one set in another. The greatest counts for several sets together.
 enum class Within : std::uint8_t {
   yes,         ///< proved
   unfinished,  ///< a bounded search ended early
