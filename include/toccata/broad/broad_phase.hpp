@@ -36,7 +36,7 @@ struct CellGroup {
 /// A part of space, in the world, in the unit of the boxes.
 struct BroadPhaseCell {
   Aabb box;         ///< has infinite sides where it has no end; ends that the method keeps as floats are rounded so
-  Index group = 0;  ///< of the groups
+  Index group = 0;  ///< the number of its group
 };
 
 /// Into what a method of the broad phase divided space to find pairs, for looking at it (BroadPhase::cells).
@@ -77,7 +77,7 @@ enum class BroadPhaseMethod {
 struct BroadPhaseOptions {
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
   int threads = own_thread;
-  double hash_cell = 2;  ///< of `spatial_hash`: the side of its cells, in usual boxes. Finite and positive, else Error
+  double hash_cell = 2;  ///< the side of the cells of `spatial_hash`, in usual boxes. Finite and positive, else Error
 };
 
 /// The box with its sides moved out by `margin` (not negative, in the box's unit), rounded outward: boxes grown by half

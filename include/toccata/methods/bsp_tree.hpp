@@ -24,7 +24,7 @@ struct BspOptions {
 struct BspStatistics {
   std::size_t triangles = 0;   ///< of the mesh
   std::size_t nodes = 0;       ///< planes, one a node
-  std::size_t axis_nodes = 0;  ///< of these, those across an axis
+  std::size_t axis_nodes = 0;  ///< those of the nodes that are across an axis
   std::size_t leaves = 0;      ///< cells that are not cut: one more than nodes
   std::size_t fragments = 0;   ///< what the planes have left of the triangles, all kept
   std::size_t splits = 0;      ///< how often a fragment was cut in two: fragments less triangles
@@ -37,7 +37,7 @@ struct BspStatistics {
 
 /// Where a point lies, and of a boundary on which triangle.
 struct BspLocation : PointLocation {
-  Index triangle = 0;  ///< of those that it lies on the least; 0 where it lies on none
+  Index triangle = 0;  ///< the least of those that it lies on; 0 where it lies on none
 };
 
 /// A triangle of the mesh, or what planes have left of it.
@@ -55,7 +55,8 @@ enum class BspBevels {
 /// What a shape that moves meets when it is a point that moves among planes which have been moved out.
 struct BspTrace {
   bool hit = false;  ///< false is proved: nothing of the solid is met. True is not
-  double time = 1;   ///< of the way: no part of the solid is met before it, which is proved; 1 where nothing is met
+  double time = 1;   ///< as a share of the way: no part of the solid is met before it, which is proved; 1 where nothing
+                     ///< is met
   Vec3 normal{};     ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
   friend constexpr bool operator==(const BspTrace&, const BspTrace&) = default;
 };

@@ -71,7 +71,7 @@ struct CostOptions {
   std::vector<int> arities{2, 4, 8};  ///< each 2 to 8
   std::vector<BvhMethod> methods{all_bvh_methods.begin(), all_bvh_methods.end()};
   Index leaf_size = 2;
-  std::size_t most_rigid = 8;     ///< of more queries so many are measured, evenly chosen
+  std::size_t most_rigid = 8;     ///< where there are more queries, so many are measured, evenly chosen
   std::size_t most_updating = 1;  ///< the same for the other workloads, each query of which touches every volume
   /// How long all may take, in microseconds, very roughly. What would take longer is left out, the dearest volumes over
   /// the last of the methods first, and `CostTable::left_out` says so. It is judged by counts and not by the clock: the

@@ -25,7 +25,7 @@ struct MspStatistics {
 
 /// Where a point lies, and of a boundary on which vertex, edge or face.
 struct MspLocation : PointLocation {
-  Index triangle = 0;    ///< of those that it lies on the least; 0 where it lies on none
+  Index triangle = 0;    ///< the least of those that it lies on; 0 where it lies on none
   Feature feature = {};  ///< what of that triangle it lies on. So edge i leads from its vertex i to (i + 1) % 3
 };
 

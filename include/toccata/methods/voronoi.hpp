@@ -25,7 +25,7 @@ struct RegionBound {
     edge_face,    ///< between an edge and a face at it
     face,         ///< the plane of the face itself: in front of it
   } kind = Kind::vertex_edge;
-  Index index = 0;    ///< of a half-edge; of `face`, of the face
+  Index index = 0;    ///< the number of a half-edge; for `face`, that of the face
   bool ahead = true;  ///< the region lies where normal · x > offset, else where it is not more
   RegionPlane plane{};
 };
@@ -93,7 +93,7 @@ class VoronoiRegions {
 /// How questions about a tracked pair were answered.
 struct VoronoiCounts {
   std::uint64_t questions = 0;
-  std::uint64_t kept = 0;      ///< of them: the features of the time before were still the nearest
+  std::uint64_t kept = 0;      ///< questions for which the features of the time before were still the nearest
   std::uint64_t walked = 0;    ///< others, or the first, were found by walking
   std::uint64_t searched = 0;  ///< rounding left a doubt, or the cores meet: by GJK
   std::uint64_t steps = 0;     ///< from region to region

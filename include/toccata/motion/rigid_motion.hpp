@@ -35,7 +35,7 @@ struct MotionKey {
 /// What a motion that is told by a function never exceeds, in the time from 0 to 1.
 struct MotionSpeed {
   Vec3 centre{};     ///< a point of the shape's own frame
-  double speed = 0;  ///< of that point, in world units
+  double speed = 0;  ///< how fast that point moves, in world units
   double turns = 0;  ///< how fast the shape turns about it, in whole turns
   /// How far off, in world units, points of the shape may be from where so slow a motion brings them, because the
   /// function rounds more than the last bits of what it returns.

@@ -31,9 +31,10 @@ struct Relation {
 
 /// Which path answered. Answers never depend on it.
 struct ConvexCounts {
-  std::uint64_t steps = 0;           ///< of searches by GJK
+  std::uint64_t steps = 0;           ///< steps of searches by GJK
   std::uint64_t support_points = 0;  ///< searched for, over both shapes
-  std::uint64_t heights = 0;         ///< of vertices along a direction: computed to find these, and for proofs
+  std::uint64_t heights = 0;         ///< heights of vertices along a direction, computed to find these points, and for
+                                     ///< proofs
   std::uint64_t closed_forms = 0;    ///< answered by a formula for the pair
   std::uint64_t certificates = 0;    ///< answered by a verified separating direction, simplex or interval
   std::uint64_t exact = 0;           ///< answered by exact arithmetic, because nothing cheaper verified
@@ -47,7 +48,7 @@ struct SimplexCache {
   std::array<Index, 4> vertex_a{};
   std::array<Index, 4> vertex_b{};
   int simplex_size = 0;
-  Index element_a = 0;  ///< of models of more than one: the nearest
+  Index element_a = 0;  ///< for models of more than one element: the nearest
   Index element_b = 0;
   ConvexCounts counts{};  ///< of all questions asked with it
 };
@@ -65,7 +66,7 @@ struct Distance {
   Vec3 on_a{};
   Vec3 on_b{};
   Status status = Status::exact;
-  Index element_a = 0;  ///< of models of more than one element (see Model), such as triangles: which
+  Index element_a = 0;  ///< which element of a model of more than one (see Model), such as triangles
   Index element_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
@@ -161,7 +162,7 @@ namespace toccata {
 enum class GjkSupport : std::uint8_t {
   automatic,      ///< the faster of the two for so many vertices, as measured
   scan,           ///< all vertices are looked at, with vector instructions
-  hill_climbing,  ///< of a hull: along edges to ever farther neighbours, from the last vertex found; others are scanned
+  hill_climbing,  ///< on a hull along edges to ever farther neighbours, from the last vertex found; others are scanned
 };
 
 /// Whether the search aims along the nearest point so far, or farther ahead.

@@ -11,7 +11,7 @@ namespace toccata {
 struct KdTreeOptions {
   Index leaf_items = 8;    ///< a cell of no more is not split
   Index most_depth = 40;   ///< the cell of all items is at depth 0
-  double most_copies = 8;  ///< of an item, on average: when there are so many, nothing more is split
+  double most_copies = 8;  ///< the most copies of an item, on average: when there are so many, nothing more is split
 };
 
 /// The box of all items, cut in two by a plane across an axis where that is thought to pay, and these again (J. L.

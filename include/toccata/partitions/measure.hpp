@@ -34,16 +34,16 @@ struct PartitionCost {
   double cells_at_an_item = 0;  ///< space redundancy: in how many cells' boxes the middle of an item lies, on average
   std::size_t bytes = 0;
   double build_ns = 0;
-  double candidates = 0;   ///< of a box question, on average: items that are then asked themselves
-  double answers = 0;      ///< of these, those that meet the box
+  double candidates = 0;   ///< items that are asked themselves by a box question, on average
+  double answers = 0;      ///< those of these that meet the box, on average
   double question_ns = 0;  ///< on average, with the decision of every candidate
   std::size_t candidate_pairs = 0;
-  std::size_t pairs = 0;  ///< of items that meet
+  std::size_t pairs = 0;  ///< pairs of items that meet
   double pairs_ns = 0;    ///< all of them, with the decision of every candidate
 };
 
 struct PartitionCostOptions {
-  std::size_t questions = 1000;  ///< of boxes around items, each twice as large as that of its item
+  std::size_t questions = 1000;  ///< questions about boxes around items, each twice as large as that of its item
   std::uint64_t seed = 1;        ///< which items
   Progress progress{};
 };

@@ -21,7 +21,7 @@ struct Contact {
   Index triangle_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
-  Intersection intersection;  ///< of two triangles; else of kind none, and `manifold` tells points
+  Intersection intersection;  ///< that of two triangles; else of kind none, and `manifold` tells points
 
   friend constexpr bool operator==(const Contact&, const Contact&) = default;
 };
@@ -78,7 +78,7 @@ struct ContactRegion {
   };
 
   std::size_t triangle_pairs = 0;  ///< that meet in it
-  std::size_t face_pairs = 0;      ///< of the files' faces
+  std::size_t face_pairs = 0;      ///< pairs of the files' faces
   Aabb box;  ///< around its points and, of two solids, the vertices of each inside the other that hang on them
   std::size_t point_count = 0;  ///< distinct corners of the curves and of the areas
   /// The curves consist of loops: as often as a crossing segment begins at one of their points, one ends there. Not so

@@ -15,7 +15,7 @@ struct CoherentState;
 /// What the questions asked with a cache cost.
 struct DistanceCacheCounts {
   std::size_t questions = 0;
-  std::size_t searches = 0;  ///< of them, those that were searched as without a cache
+  std::size_t searches = 0;  ///< those questions that were searched as without a cache
   WalkCounts last{};         ///< boxes compared and pairs of triangles looked at by the last
 };
 

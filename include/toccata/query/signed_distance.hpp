@@ -25,7 +25,7 @@ struct PointLocation {
 
 /// What tells inside from outside.
 enum class SignBy {
-  automatic,                   ///< of a closed mesh the winding number, of an open one the generalised
+  automatic,                   ///< for a closed mesh the winding number, for an open one the generalised
   winding_number,              ///< exact: not 0 is inside, as `locate` has it. Not of open meshes
   generalized_winding_number,  ///< more than a half in magnitude is inside: a guess where holes are, and named so
 };
@@ -36,8 +36,8 @@ struct SignedDistance {
   /// surface. Where the side is undecided it is [−d, d], and the distance lies in [d · (1 − 10⁻¹²), d].
   double lower = 0;
   double upper = 0;
-  Vec3 nearest{};     ///< of the surface; off by at most 10⁻¹² of the greatest coordinate
-  Index element = 0;  ///< as in SurfacePoint: its triangle; of several the least
+  Vec3 nearest{};     ///< the nearest point of the surface; off by at most 10⁻¹² of the greatest coordinate
+  Index element = 0;  ///< as in SurfacePoint: its triangle; the least of several
   Index face = 0;
   /// Where the status is undecided, inside stands for not being known: the safe side.
   Side side = Side::outside;

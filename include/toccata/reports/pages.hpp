@@ -130,7 +130,7 @@ class WorldRecording {
     Index a = 0, b = 0;  ///< of `objects`
     Change change = Change::begin;
     bool in_contact = false;
-    Vec3 middle_a, middle_b;  ///< of their boxes; not finite for half-spaces
+    Vec3 middle_a, middle_b;  ///< the middles of their boxes; not finite for half-spaces
     std::shared_ptr<const PairDetails> details{};
   };
   /// Where a body stands on another one, or met it.

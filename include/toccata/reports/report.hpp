@@ -140,14 +140,14 @@ enum class Since { added, known, graver };
 
 /// The order in which pairs are reported.
 enum class PairOrder {
-  objects,  ///< of their objects in the scene
+  objects,  ///< the order of their objects in the scene
   severity  ///< overlaps, the deepest first; then what touches; then what is near, the nearest first
 };
 
 /// Which clashes belong together.
 enum class ClashGrouping {
   none,
-  part,   ///< of one object: that which has most, then of what is left that which has most, …
+  part,   ///< pairs of one object: the one that has most, then the one that has most of what is left, …
   region  ///< in places next to each other: around which boxes, each grown by its longest edge, overlap, and so on
 };
 
@@ -314,7 +314,7 @@ struct RebalanceReport {
   HierarchyReport cured;
   HierarchyReport rebuilt;
   std::size_t named_nodes = 0;  ///< inner nodes as it is that stand for a node of the scene
-  std::size_t kept_nodes = 0;   ///< of these, those that the cure keeps
+  std::size_t kept_nodes = 0;   ///< those of the named nodes that the cure keeps
   std::size_t unbounded = 0;    ///< objects that have no end and so no place in it
 };
 
@@ -335,8 +335,8 @@ struct InspectedObject {
   std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` tells of its triangles, the same way
   std::vector<MeshFault> faults{};                  ///< what `mesh_faults` tells of its mesh, the same way
   std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; of meshes, told by `ask`
-  std::size_t boundaries = 0;                       ///< of an open mesh: holes and rims (`boundary_count`), by `ask`
-  std::optional<double> closing_gap{};              ///< of an open mesh what `closing_gap` tells, in its own units
+  std::size_t boundaries = 0;                       ///< holes and rims of an open mesh (`boundary_count`), by `ask`
+  std::optional<double> closing_gap{};              ///< what `closing_gap` tells of an open mesh, in its own units
 };
 
 /// Everything that `inspect` tells about the object.
@@ -384,7 +384,7 @@ struct ReportedSurfacePoint {
 struct ReportedPoint {
   Vec3 point;
   std::vector<ReportedSurfacePoint> nearest;
-  std::optional<SceneSignedDistance> in_scene{};  ///< of all objects together, when asked for
+  std::optional<SceneSignedDistance> in_scene{};  ///< that of all objects together, when asked for
 };
 
 /// What `check --poses` found: an entry per query in each list.
@@ -396,7 +396,8 @@ struct PosesReport {
   std::vector<DepthEnd> depth_ends;                 ///< why their brackets are no narrower
   std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
   Touching touching = Touching::count;
-  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< of the first queries, by `with_face_pairs`: for pages
+  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< those of the first queries, by `with_face_pairs`: for
+                                                            ///< pages
 };
 
 /// The same with the faces that meet at each pose, which reports only count: in the order of the queries, for so many

@@ -139,7 +139,7 @@ struct SubdivideQuestion {
   /// The tolerance in world units; 0: a thousandth of the diagonal of the cage's box, of two objects a millionth.
   double within = 0;
   int levels = 0;                                     ///< as in RefinementOptions
-  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two LimitQuery::max_faces
+  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; for two objects LimitQuery::max_faces
   CageFeatures features{};                            ///< of the first object, by the vertices of its mesh
   std::optional<double> crease_angle = std::nullopt;  ///< edges that turn by more are creases; in degrees
   bool both = false;                                  ///< the second object is a cage, too, of the same scheme
@@ -158,8 +158,8 @@ struct SubdivideReport {
   double within = 0;                     ///< the tolerance that was asked for, also where the question has none
   std::size_t faces = 0;                 ///< of the cage
   bool closed = false;                   ///< the cage
-  std::optional<SubdividedMesh> mesh{};  ///< of one object
-  std::optional<LimitDistance> gap{};    ///< of two
+  std::optional<SubdividedMesh> mesh{};  ///< for one object
+  std::optional<LimitDistance> gap{};    ///< for two objects
 };
 
 /// The mesh in the world, as an object of its own; there must be one.

@@ -17,10 +17,10 @@ namespace toccata {
 struct HullTopology {
   std::span<const Index>
       face_start;                 ///< one more than faces: face f has the half-edges [face_start[f], face_start[f + 1])
-  std::span<const Index> origin;  ///< of each half-edge, the vertex it starts at; the next of its face tells its end
-  std::span<const Index> twin;    ///< of each half-edge, the same edge in the other face, the other way round
-  std::span<const Index> face;    ///< of each half-edge, the face it belongs to
-  std::span<const Index> leaving;  ///< of each vertex, a half-edge that starts at it
+  std::span<const Index> origin;  ///< for each half-edge, the vertex it starts at; the next of its face tells its end
+  std::span<const Index> twin;    ///< for each half-edge, the same edge in the other face, the other way round
+  std::span<const Index> face;    ///< for each half-edge, the face it belongs to
+  std::span<const Index> leaving;  ///< for each vertex, a half-edge that starts at it
   /// For each cell of a grid of directions a vertex that is far along them, where a walk to the farthest begins. Empty
   /// in a hull of fewer than 512 vertices.
   std::span<const Index> guide{};

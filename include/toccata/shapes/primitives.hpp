@@ -22,7 +22,7 @@ struct ShapeParameter {
 
   const char* name;
   Value (S::*value)() const;
-  WhenLeftOut when_left_out;  ///< of a file
+  WhenLeftOut when_left_out;  ///< what becomes of it where a file leaves it out
 };
 
 /// A shape that is made of numbers and vectors alone says what it is, and files and messages go by that:

@@ -123,7 +123,7 @@ bool splits_a(const BvhNode<VolumeA>& a, const BvhNode<VolumeB>& b, const Q& que
 
 enum class Order {
   as_found,     ///< (item of the first tree, item of the second)
-  least_first,  ///< of one tree with itself: the smaller item number first
+  least_first,  ///< where a tree is walked with itself: the smaller item number first
 };
 
 /// One walk over pairs of nodes. The stack grows as needed; nothing is dropped.

@@ -63,7 +63,7 @@ struct WideBuildOptions {
 /// twice as many, and building anew pays.
 struct Refit {
   std::size_t volumes_updated = 0;
-  double growth = 1;  ///< of half_area, as `built_size` tells it, relative to the tree as built; +∞ where it was 0
+  double growth = 1;  ///< half_area, as `built_size` tells it, relative to that of the tree as built; +∞ where it was 0
   [[nodiscard]] bool should_rebuild() const { return !(growth <= 2); }
 };
 

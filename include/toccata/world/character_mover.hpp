@@ -26,7 +26,7 @@ template <class Id>
 struct MoverContact {
   Id object{};
   Index element = 0;  ///< as in Model: the triangle of a mesh
-  Vec3 point{};       ///< of the object, where it is nearest to the shape
+  Vec3 point{};       ///< the object's point that is nearest to the shape
   Vec3 normal{};      ///< unit, from there to the shape
   friend bool operator==(const MoverContact&, const MoverContact&) = default;
 };

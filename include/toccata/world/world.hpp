@@ -28,9 +28,9 @@ namespace toccata {
 struct WorldOptions {
   bool relation = false;
   bool distance = false;
-  bool contacts = false;     ///< of pairs in contact: their elements that meet
-  bool manifold = false;     ///< of pairs in contact: where they touch, as points and normals (manifolds.hpp)
-  bool penetration = false;  ///< of two solids in contact, where it is defined
+  bool contacts = false;     ///< for pairs in contact: their elements that meet
+  bool manifold = false;     ///< for pairs in contact: where they touch, as points and normals (manifolds.hpp)
+  bool penetration = false;  ///< for two solids in contact, where it is defined
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
   /// Pairs that cannot meet for some steps are not looked at in these
@@ -51,7 +51,7 @@ struct PairDetails {
   std::optional<Relation> relation{};
   std::optional<Distance> distance{};
   std::vector<Contact> contacts{};
-  std::optional<Manifold> manifold{};  ///< of two convex shapes or one and a half-space
+  std::optional<Manifold> manifold{};  ///< for two convex shapes or one and a half-space
   /// What `manifolds` answers for the pair, whatever the shapes: filled for every pair in contact with
   /// WorldOptions::manifold.
   std::vector<ModelManifold> manifolds{};
@@ -77,7 +77,7 @@ struct WorldStep {
                                     ///< named by the ids that they had
   std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out; with
                                     ///< `space_time` none that was known to be apart until later
-  std::size_t asked = 0;            ///< of them, those that could not be taken over from the step before
+  std::size_t asked = 0;            ///< those candidates that could not be taken over from the step before
 };
 
 /// What is said about two bodies in particular, in either order.
