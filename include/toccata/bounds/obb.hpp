@@ -42,7 +42,7 @@ Obb fit<Obb>(std::span<const Triangle> triangles);
 /// returns the one with the least surface.
 [[nodiscard]] Obb merge(const Obb& a, const Obb& b);
 [[nodiscard]] bool contains(const Obb& box, const Vec3& point);
-/// By the 15 directions.
+/// Compares the two along the 15 directions that can separate boxes.
 [[nodiscard]] bool overlap(const Obb& a, const Obb& b);
 /// A rotation turns it as it is, but for rounding; other poses are followed by a box around the image.
 [[nodiscard]] Obb posed(const Obb& box, const Pose& pose);

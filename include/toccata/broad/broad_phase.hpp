@@ -39,7 +39,8 @@ struct BroadPhaseCell {
   Index group = 0;  ///< the number of its group
 };
 
-/// Into what a method of the broad phase divided space to find pairs, for looking at it (BroadPhase::cells).
+/// The parts into which a method of the broad phase divided space to find pairs, for looking at them
+/// (BroadPhase::cells).
 struct BroadPhaseCells {
   std::vector<CellGroup> groups;      ///< from coarse to fine, where they are levels
   std::vector<BroadPhaseCell> cells;  ///< by group
@@ -146,7 +147,7 @@ class BroadPhase {
   [[nodiscard]] std::size_t size() const;
   /// Where the box is now, or that around a ball or an oriented box. Empty for a number that is not in use.
   [[nodiscard]] const Aabb& box(Index number) const;
-  /// As it was given.
+  /// The bound as it was given.
   [[nodiscard]] AnyBound bound(Index number) const;
   [[nodiscard]] bool in_use(Index number) const;
 
@@ -154,10 +155,10 @@ class BroadPhase {
   [[nodiscard]] BroadPhaseMethod method() const;
   /// Why that one, for people: "sizes span 3 decades, clustered: …". Empty where it was asked for.
   [[nodiscard]] std::string reason() const;
-  /// Into what the method divided space in the last update, for looking at it: what it really used, no more. Nothing of
-  /// methods that divide nothing, before the first update of boxes, of a copy until its first, and after an update in
-  /// which `automatic` tried a method that it has given up since. What is too large for cells is in none. Throws Error
-  /// where boxes have come, gone or moved since the update.
+  /// The parts into which the method divided space in the last update, for looking at them: what it really used, no
+  /// more. Nothing for methods that divide nothing, before the first update of boxes, of a copy until its first, and
+  /// after an update in which `automatic` tried a method that it has given up since. What is too large for cells is in
+  /// none. Throws Error where boxes have come, gone or moved since the update.
   [[nodiscard]] BroadPhaseCells cells() const;
   /// Memory of the boxes and of what the method keeps, without the pairs. Balls and oriented boxes are counted with the
   /// pairs of boxes around them, which they need besides.

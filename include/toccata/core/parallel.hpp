@@ -14,7 +14,7 @@ namespace toccata {
 inline constexpr int all_threads = 0;
 inline constexpr int own_thread = 1;
 
-/// On how many threads a call runs that may use up to `threads`.
+/// The number of threads on which a call runs that may use up to `threads`.
 [[nodiscard]] int thread_count(int threads);
 
 /// Calls `work` where several calls of `parallel_for` on so many threads can follow each other at once: between them

@@ -45,8 +45,8 @@ class TreeCache {
   /// Nothing is done yet.
   explicit TreeCache(std::string folder) : folder_(std::move(folder)) {}
 
-  /// As scene_models, with the trees that the folder has. One that cannot be taken, as it is damaged or of another
-  /// version, is told in `warnings`, and another is built.
+  /// The models that `scene_models` makes, with the trees that the folder has. One that cannot be taken, as it is
+  /// damaged or of another version, is told in `warnings`, and another is built.
   [[nodiscard]] std::vector<SceneInstance> models(const Scene& scene, int threads = all_threads);
 
   /// Writes the trees that were built, each complete or not at all, and makes the folder for it; that this cannot be

@@ -78,8 +78,8 @@ struct Pose {
 /// are exact. Throws Error when the axis has no direction.
 [[nodiscard]] Mat3 rotation_about(const Vec3& axis, double degrees);
 
-/// With n = x² + y² + z² + w²: the diagonal is 1 − 2 (q_j² + q_k²) / n, the rest 2 (q_i q_j ∓ q_k w) / n. The
-/// quaternion need not have length 1. Throws Error when n is 0 or not finite.
+/// The rotation matrix of a quaternion. With n = x² + y² + z² + w² the diagonal is 1 − 2 (q_j² + q_k²) / n, the rest 2
+/// (q_i q_j ∓ q_k w) / n. The quaternion need not have length 1. Throws Error when n is 0 or not finite.
 [[nodiscard]] Mat3 rotation_of(const Quaternion& q);
 
 /// The rotation nearest to `m` in the Frobenius norm, its orthogonal polar factor, by Newton's iteration scaled (N. J.

@@ -76,13 +76,13 @@ class BspTree {
   /// them; for options out of their range; and when cutting makes more fragments than `max_growth` allows.
   explicit BspTree(const Model& solid, const BspOptions& options = {});
 
-  /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not
-  /// finite.
+  /// The same answer as `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when
+  /// the point is not finite.
   [[nodiscard]] BspLocation locate(const Vec3& point) const;
 
-  /// As `cast_ray` of the model, the same triangle, time and point (only `lower` may be another bound): the cells along
-  /// the ray are visited in their order, until one has a triangle that is met. Throws Error when a number is not finite
-  /// or the motion is zero.
+  /// The same answer as `cast_ray` of the model, with the same triangle, time and point (only `lower` may be another
+  /// bound): the cells along the ray are visited in their order, until one has a triangle that is met. Throws Error
+  /// when a number is not finite or the motion is zero.
   [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
 
   /// Whether the closed segment has a point in common with the solid. Exact. Throws Error when a number is not finite,

@@ -30,7 +30,7 @@ template <ListedVolume V>
 requires(AllVolumes::has<V>) inline constexpr CostVolume cost_volume =
     static_cast<CostVolume>(AllVolumes::place_of<V>());
 
-/// In the order of AllVolumes, `wide` last.
+/// All volumes in the order of AllVolumes, `wide` last.
 inline constexpr auto all_cost_volumes = [] {
   std::array<CostVolume, AllVolumes::size + 1> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<CostVolume>(i);
@@ -58,7 +58,7 @@ inline constexpr std::array all_bvh_methods{BvhMethod::heuristic,     BvhMethod:
                                             BvhMethod::equal_regions, BvhMethod::morton, BvhMethod::agglomeration,
                                             BvhMethod::insertion};
 
-// As the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
+// The names as the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
 [[nodiscard]] std::string_view name_of(CostVolume volume);
 [[nodiscard]] std::string_view name_of(CostWorkload workload);
 [[nodiscard]] std::string_view name_of(CostTask task);

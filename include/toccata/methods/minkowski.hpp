@@ -47,7 +47,7 @@ enum class SumFaceKind : std::uint8_t {
 class MinkowskiSum {
  public:
   [[nodiscard]] Index vertex_count() const;
-  /// In ascending order of (on_a, on_b).
+  /// The pair of vertices that this vertex is the sum of; pairs are in ascending order of (on_a, on_b).
   [[nodiscard]] SumVertex pair(Index vertex) const;
   /// The exact point, each coordinate to the nearest double.
   [[nodiscard]] Vec3 vertex(Index i) const;
@@ -104,7 +104,7 @@ class SumLocator {
   /// Takes a hundred times as long as a question about the sum itself.
   explicit SumLocator(const MinkowskiSum& sum);
 
-  /// As `MinkowskiSum::side_of`.
+  /// The same answer as that of `MinkowskiSum::side_of`.
   [[nodiscard]] Sign side_of(const Vec3& point) const;
   [[nodiscard]] bool contains(const Vec3& point) const { return side_of(point) != Sign::positive; }
 
@@ -127,17 +127,17 @@ class OffsetSolid {
 
   // All three throw Error when the point is not finite.
 
-  /// Behind all face planes, each moved outwards by the distance: exact as that, but accepts more than the offset
-  /// solid. Where two faces meet at the inner angle α it reaches 1 / sin(α / 2) times as far as it should, at a box's
-  /// corner √3 times; at sharp edges any number of times.
+  /// Whether the point is behind all face planes, each moved outwards by the distance: exact as that, but it accepts
+  /// more than the offset solid. Where two faces meet at the inner angle α it reaches 1 / sin(α / 2) times as far as it
+  /// should, at a box's corner √3 times; at sharp edges any number of times.
   [[nodiscard]] bool in_moved_planes(const Vec3& point) const;
 
-  /// Behind these and behind one more plane across each edge and each corner, which touches the offset solid there:
-  /// still accepts all of it, and less beside it. For a box the error is at most 13 % of the distance instead of 73 %.
-  /// The planes of bevels are rounded, to the accepting side.
+  /// Whether the point is behind these and behind one more plane across each edge and each corner, which touches the
+  /// offset solid there: it still accepts all of it, and less beside it. For a box the error is at most 13 % of the
+  /// distance instead of 73 %. The planes of bevels are rounded, to the accepting side.
   [[nodiscard]] bool in_beveled_planes(const Vec3& point) const;
 
-  /// At most that far from the solid. Exact.
+  /// Whether the point is at most that far from the solid. Exact.
   [[nodiscard]] bool contains(const Vec3& point) const;
 
  private:

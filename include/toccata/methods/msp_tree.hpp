@@ -44,8 +44,8 @@ class MspTree {
   /// Throws Error as the constructor of BspTree does; fragments in planes and on lines count for `max_growth` too.
   explicit MspTree(const Model& solid, const BspOptions& options = {});
 
-  /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not
-  /// finite.
+  /// The same answer as `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when
+  /// the point is not finite.
   [[nodiscard]] MspLocation locate(const Vec3& point) const;
 
   [[nodiscard]] const MspStatistics& statistics() const;

@@ -38,10 +38,10 @@ namespace toccata {
   return code;
 }
 
-/// By the region of the centre: the nearest feature is that region's.
+/// Decides by the region of the centre: the nearest feature is that region's.
 [[nodiscard]] bool overlap_by_regions(const PosedSphere& a, const Vec3& lower, const Vec3& upper);
 
-/// Without a branch: max(lower − c, 0, c − upper) along each axis.
+/// Decides without a branch: max(lower − c, 0, c − upper) along each axis.
 [[nodiscard]] bool overlap_by_clamping(const PosedSphere& a, const Vec3& lower, const Vec3& upper);
 
 }  // namespace toccata

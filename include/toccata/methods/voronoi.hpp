@@ -59,10 +59,11 @@ class VoronoiRegions {
   /// All features: vertices, edges, then faces. A corner of a triangle that lies between the others is none.
   [[nodiscard]] std::vector<ConvexFeature> features() const;
 
-  /// Through the vertex at which a half-edge starts, its normal along the edge: behind it the vertex is nearer.
+  /// The plane through the vertex at which a half-edge starts, its normal along the edge: behind it the vertex is
+  /// nearer.
   [[nodiscard]] RegionPlane vertex_edge_plane(Index half_edge) const;
-  /// Through a half-edge, its normal in the plane of its face, into the face: behind it the edge is nearer. A segment
-  /// has none.
+  /// The plane through a half-edge, its normal in the plane of its face, into the face: behind it the edge is nearer. A
+  /// segment has none.
   [[nodiscard]] RegionPlane edge_face_plane(Index half_edge) const;
   /// The plane of a face, its normal outwards.
   [[nodiscard]] RegionPlane face_plane(Index face) const;

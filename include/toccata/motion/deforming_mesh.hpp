@@ -28,7 +28,7 @@ class DeformingMesh {
  public:
   /// Throws Error for another number of ends than of vertices, for an end that is not finite, and as a Model does.
   DeformingMesh(const TriangleMesh& start, std::vector<Vec3> end, int threads = own_thread);
-  /// At rest.
+  /// A mesh at rest.
   explicit DeformingMesh(const TriangleMesh& mesh, int threads = own_thread);
 
   /// Another end of the same step, as when a solver tries a shorter one. The tree keeps its shape and its boxes are

@@ -56,27 +56,27 @@ class RigidMotion {
     RigidMove move{};
   };
 
-  /// It rests. Implicit: whatever takes a motion takes a pose.
+  /// A shape that rests. Implicit: whatever takes a motion takes a pose.
   RigidMotion(const Pose& pose);
 
   /// Throws Error when a number is not finite, or an axis of a turn has no direction.
   RigidMotion(const Pose& start, const RigidMove& move);
 
-  /// Straight on, without a turn.
+  /// A motion straight on, without a turn.
   [[nodiscard]] static RigidMotion straight(const Pose& start, const Vec3& translation);
 
-  /// From one pose to another: the point `centre` of the shape's own frame goes straight on, and the shape turns about
-  /// it the shorter way at an even speed (linear interpolation and slerp). It ends at `end` but for rounding: by some
-  /// 2⁻⁴⁸ of the size where both poses are rotations. Throws Error when no turn leads from one to the other, as where
-  /// one scales and the other does not.
+  /// A motion from one pose to another: the point `centre` of the shape's own frame goes straight on, and the shape
+  /// turns about it the shorter way at an even speed (linear interpolation and slerp). It ends at `end` but for
+  /// rounding: by some 2⁻⁴⁸ of the size where both poses are rotations. Throws Error when no turn leads from one to the
+  /// other, as where one scales and the other does not.
   [[nodiscard]] static RigidMotion between(const Pose& start, const Pose& end, const Vec3& centre = {});
 
-  /// From one pose to another about one axis and along it: every point on a helix (M. Chasles, 1830). Throws like
-  /// `between`.
+  /// A motion from one pose to another about one axis and along it: every point on a helix (M. Chasles, 1830). Throws
+  /// like `between`.
   [[nodiscard]] static RigidMotion screw(const Pose& start, const Pose& end);
 
-  /// Through poses, as `between` each and the next. Throws Error when there are fewer than two, or the times are not
-  /// ascending from 0 to 1, and like `between`.
+  /// A motion through poses, as `between` leads from each to the next. Throws Error when there are fewer than two, or
+  /// the times are not ascending from 0 to 1, and like `between`.
   [[nodiscard]] static RigidMotion through(std::span<const MotionKey> keys, const Vec3& centre = {});
 
   /// Any motion: where the shape is, told by a function of the time, and a bound on how fast it moves. At the times at
@@ -96,7 +96,7 @@ class RigidMotion {
 
   // For the library itself.
 
-  /// In the order of time; none of a motion that is told by a function.
+  /// The pieces in the order of time; a motion that is given by a function has none.
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
   /// The bound on the speed of a motion that is given by a function.
   [[nodiscard]] const MotionSpeed& speed() const { return speed_; }

@@ -52,7 +52,7 @@ class PosedPolytope {
 
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// It has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
+  /// Whether it has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
   [[nodiscard]] bool solid() const { return solid_; }
 
   /// Vertices and faces of the shape in its own frame. In the world rounding may bend a face by the last place, and a

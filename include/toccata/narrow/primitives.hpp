@@ -24,7 +24,7 @@ namespace toccata {
 [[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 [[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 
-/// With the nearest points, as for any two convex shapes.
+/// The distance with the nearest points, as for any two convex shapes.
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedSphere& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const Triangle& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedBox& b);

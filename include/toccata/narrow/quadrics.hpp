@@ -165,7 +165,7 @@ namespace toccata {
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedQuadric& b);
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedPolytope& b);
 [[nodiscard]] Penetration penetration(const PosedPolytope& a, const PosedQuadric& b);
-/// As narrow as a distance.
+/// The bracket is as narrow as that of a distance.
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedHalfSpace& b);
 [[nodiscard]] Penetration penetration(const PosedHalfSpace& a, const PosedQuadric& b);
 

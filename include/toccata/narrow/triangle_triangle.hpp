@@ -16,7 +16,7 @@ enum class FeatureKind : std::uint8_t { vertex, edge, face };
 struct Feature {
   FeatureKind kind = FeatureKind::face;
   std::uint8_t index = 0;
-  /// By kind, then by index.
+  /// Features are ordered by kind, then by index.
   friend constexpr auto operator<=>(const Feature&, const Feature&) = default;
 };
 

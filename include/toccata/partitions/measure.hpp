@@ -21,7 +21,7 @@ inline constexpr std::array all_partition_kinds{PartitionKind::grid_2d, Partitio
 /// "grid-2d", "grid", "octree", "kd-tree", "r-tree" (packed at once), "inserted-r-tree" (item by item).
 [[nodiscard]] std::string_view name_of(PartitionKind kind);
 
-/// It groups the items, and its regions may overlap; else it cuts space, and items may be in many cells.
+/// Whether it groups the items, so that its regions may overlap; else it cuts space, and items may be in many cells.
 [[nodiscard]] bool is_object_centric(PartitionKind kind);
 
 /// A partition over some items, measured. Times are of the caller's thread; counts depend on the items alone.
@@ -58,8 +58,8 @@ struct PartitionLevel {
   std::vector<PartitionCell> cells;
 };
 
-/// From the cell of all items down: those of at most `most_cells`, and the last one, of all cells as they are. A grid
-/// has this one alone.
+/// The levels from the cell of all items down: those of at most `most_cells`, and the last one, of all cells as they
+/// are. A grid has this one alone.
 [[nodiscard]] std::vector<PartitionLevel> partition_levels(PartitionKind kind, const PartitionItems& items,
                                                            std::size_t most_cells = 4096);
 

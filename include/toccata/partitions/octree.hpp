@@ -28,7 +28,7 @@ class Octree {
   [[nodiscard]] std::vector<Index> candidates(const Aabb& box) const;
   [[nodiscard]] std::vector<IndexPair> candidate_pairs() const;
   [[nodiscard]] std::vector<PartitionCell> cells() const;
-  /// As if cells at that depth had not been cut: they, and the leaves above.
+  /// The cells as if those at that depth had not been cut: they, and the leaves above.
   [[nodiscard]] std::vector<PartitionCell> cells_at(Index depth) const;
   [[nodiscard]] Index greatest_depth() const;
   [[nodiscard]] std::size_t bytes() const;

@@ -29,7 +29,7 @@ class PartitionItems {
   [[nodiscard]] std::span<const Aabb> boxes() const { return data_->boxes; }
   /// Empty where the items are boxes.
   [[nodiscard]] std::span<const Triangle> triangles() const { return data_->triangles; }
-  /// Around all of them.
+  /// The box around all of them.
   [[nodiscard]] const Aabb& bounds() const { return data_->bounds; }
 
   /// The item itself, not only its box, has a point in common with the closed box. Exact.
@@ -57,7 +57,7 @@ struct PartitionCell {
 /// triangles `PartitionItems::meets` and `meet` decide. Const functions may be called from many threads at once.
 template <class P>
 concept SpacePartition = requires(const P& partition, const Aabb& box) {
-  /// Those that hold an item.
+  /// The cells that hold an item.
   { partition.cells() } -> std::same_as<std::vector<PartitionCell>>;
   /// Ascending, each once. Touching counts.
   { partition.candidates(box) } -> std::same_as<std::vector<Index>>;

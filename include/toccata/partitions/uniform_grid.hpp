@@ -30,7 +30,7 @@ class UniformGrid {
   /// A triangle is in the cells that it meets itself, exactly, not all that its box meets.
   UniformGrid(const PartitionItems& items, const GridCells<D>& grid,
               const UniformGridOptions& options = {}) requires(D <= 3);
-  /// With the cells of `grid_for`.
+  /// The same with the cells of `grid_for`.
   explicit UniformGrid(const PartitionItems& items, const UniformGridOptions& options = {}) requires(D <= 3);
   /// Boxes that move, each in the cells of space and time that it visits: none is missing, and there may be
   /// some that it comes up to by a rounding error, or reaches when their time ends. Throws Error naming one that is no
@@ -47,7 +47,7 @@ class UniformGrid {
   [[nodiscard]] std::size_t cell_count() const;
   [[nodiscard]] const GridCell<D>& cell(std::size_t i) const;
   [[nodiscard]] std::span<const Index> items_in(std::size_t i) const;
-  /// Those in no cell, ascending: too large, or outside of the grid.
+  /// The items in no cell, ascending: too large, or outside of the grid.
   [[nodiscard]] std::span<const Index> without_cells() const;
 
   /// Items whose box overlaps and that share a cell with it, and those without cells, ascending, each once.

@@ -60,7 +60,7 @@ namespace toccata {
   return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.intersection)};
 }
 
-/// In their order; sort them anew.
+/// The contacts with A and B exchanged, in their old order; sort them anew.
 [[nodiscard]] inline std::vector<Contact> flipped(std::vector<Contact> contacts) {
   for (Contact& contact : contacts) contact = flipped(contact);
   return contacts;

@@ -69,8 +69,8 @@ class Model {
   /// than a tree holds (2²⁸).
   explicit Model(TriangleMesh mesh, int threads = own_thread);
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = own_thread);
-  /// With a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over the
-  /// mesh's triangles, which it looks through once.
+  /// Takes a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over
+  /// the mesh's triangles, which it looks through once.
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideBvh tree);
   explicit Model(HeightField field, int threads = own_thread);
   explicit Model(Compound compound, int threads = own_thread);
@@ -101,7 +101,7 @@ class Model {
 
   [[nodiscard]] const Shape& shape() const;
 
-  /// It is a mesh or a height field.
+  /// Whether it is a mesh or a height field.
   [[nodiscard]] bool has_mesh() const;
 
   /// The parts of a compound, in its order; empty for any other model.
@@ -138,7 +138,7 @@ class Model {
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
   [[nodiscard]] const Bvh<Aabb>& tree() const;
 
-  /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
+  /// The box around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
   [[nodiscard]] const Aabb& bounds() const;
 
   /// The connected parts of the mesh; found out when first asked for.

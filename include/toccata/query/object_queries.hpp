@@ -17,7 +17,8 @@
 // by itself: those that it is not asked of are left out by their boxes, which loses nothing.
 namespace toccata {
 
-/// From `origin` to `origin + motion`, in the world: times are fractions of the way. It is as long as is looked far.
+/// A ray from `origin` to `origin + motion`, in the world: times are fractions of the way. It is as long as is looked
+/// far.
 struct Ray {
   Vec3 origin;
   Vec3 motion;
@@ -60,7 +61,7 @@ class ObjectQueries {
   /// could meet is one for which pairs.hpp does not define it, as of two half-spaces.
   [[nodiscard]] std::optional<Found<ShapeHit>> cast_shape(const MovingShape& moving, const Filter& filter = {}) const;
 
-  /// Those that have a point in common with the shape. Throws like `overlap`.
+  /// The objects that have a point in common with the shape. Throws like `overlap`.
   [[nodiscard]] std::vector<Id> overlapping(const SceneInstance& shape, const Filter& filter = {}) const;
   /// The same, and how: the shape is A. Throws like `relation`.
   [[nodiscard]] std::vector<Found<Relation>> relations(const SceneInstance& shape, const Filter& filter = {}) const;
@@ -69,7 +70,7 @@ class ObjectQueries {
   /// (`within_distance`). Throws like `distance`, and when the greatest distance is negative or no number.
   [[nodiscard]] std::optional<Found<Distance>> nearest(const SceneInstance& shape, double max_distance = unlimited,
                                                        const Filter& filter = {}) const;
-  /// Those that are at most so far from the shape, decided exactly. Throws like `within_distance`.
+  /// The objects that are at most so far from the shape, decided exactly. Throws like `within_distance`.
   [[nodiscard]] std::vector<Id> within(const SceneInstance& shape, double distance, const Filter& filter = {}) const;
 
   // The same asked many times at once; an error begins with "ray i: " or "shape i: ", of the least such i.

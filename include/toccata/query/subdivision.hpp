@@ -122,8 +122,8 @@ struct RefinementOptions {
 
 /// A mesh in place of a limit surface, and how far from each other they are.
 struct SubdividedMesh {
-  /// Without cracks, closed where the cage is, turned as the cage is; also where neighbours are of different levels.
-  /// Faces are those of the cage.
+  /// The mesh has no cracks, and is closed where the cage is and turned as the cage is; also where neighbours are of
+  /// different levels. Faces are those of the cage.
   TriangleMesh mesh;
   /// Proved: no point of the limit surface is farther than this from the mesh, and no point of the mesh is farther
   /// than this from the limit surface. In units of the cage; rounding is counted.
@@ -166,8 +166,8 @@ struct LimitDistance {
   /// Proved: the distance of the limit surface, not of a mesh, lies in [lower, upper].
   double lower = 0;
   double upper = 0;
-  /// On the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on the model or the mesh
-  /// in place of the other. Without meaning where one lies within the other as a solid.
+  /// The nearest points, on the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on
+  /// the model or the mesh in place of the other. They mean nothing where one lies within the other as a solid.
   Vec3 on_mesh{};
   Vec3 on_model{};
   double distance_to_limit = 0;

@@ -78,7 +78,7 @@ class CrowdRecording {
   /// The boxes, pairs and cells of the last update. Throws Error when boxes have come, gone or moved since, and when
   /// this frame alone is more than a page may hold.
   void add(const BroadPhase& phase);
-  /// With these cells in place of those of the method.
+  /// The same with these cells in place of those of the method.
   void add(const BroadPhase& phase, BroadPhaseCells space);
 
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }  ///< those that are kept

@@ -108,7 +108,7 @@ struct NameRules {
   std::vector<NameRule> ignored{};  ///< no pair of these
   /// Instead of the tolerance of all pairs. Where several rules are about a pair, the last counts.
   std::vector<ToleranceRule> tolerances{};
-  /// They leave no pair out.
+  /// Whether the rules leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
 };
 
@@ -269,8 +269,8 @@ struct SelfReport {
 /// How many of the objects intersect themselves.
 [[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
 
-/// Into which convex parts the closed mesh of a scene is cut: `decompose`. The mesh is taken as it is posed, in the
-/// world.
+/// The question into which convex parts the closed mesh of a scene is cut: `decompose`. The mesh is taken as it is
+/// posed, in the world.
 struct DecomposeQuestion {
   static const io::QuestionKind kind;  ///< scene_question.hpp
   std::size_t max_parts = 32;          ///< as DecompositionOptions says

@@ -256,7 +256,7 @@ using ReportVariant = std::variant<typename Listed::Report...>;
 using SceneQuestion = SceneQuestions::put_into<QuestionVariant>;
 using SceneAnswer = SceneQuestions::put_into<ReportVariant>;
 
-/// It makes what it asks about, from a seed, and no scene has a part in it.
+/// Whether the question makes what it asks about, from a seed, so that no scene has a part in it.
 [[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
 
 struct AskOptions {

@@ -149,7 +149,7 @@ class Robot {
   /// The bodies where a configuration puts them, with names: what a scene of them is.
   [[nodiscard]] std::vector<SceneInstance> posed(std::span<const double> configuration) const;
 
-  /// With one link more, fixed to another. Other links and positions keep their numbers. Throws Error as the
+  /// The robot with one link more, fixed to another. Other links and positions keep their numbers. Throws Error as the
   /// constructor does, and for links to be touched that there are not.
   [[nodiscard]] Robot with_attached(const AttachedObject& object, int threads = own_thread) const;
 

@@ -37,7 +37,8 @@ struct RepairedMesh {
 /// that is closed.
 [[nodiscard]] std::optional<double> closing_gap(const TriangleMesh& mesh);
 
-/// In how many loops or chains the boundary of the mesh hangs together: its holes, and the rims of what is open.
+/// The number of loops or chains in which the boundary of the mesh hangs together: its holes, and the rims of what is
+/// open.
 [[nodiscard]] std::size_t boundary_count(const TriangleMesh& mesh);
 
 }  // namespace toccata

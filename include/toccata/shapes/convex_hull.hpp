@@ -56,7 +56,7 @@ class ConvexHull {
   explicit ConvexHull(std::initializer_list<Vec3> points);
 
   [[nodiscard]] Index vertex_count() const;
-  /// In the shape's own frame. Vertices keep the order of the points; of equal points the first counts.
+  /// A vertex in the shape's own frame. Vertices keep the order of the points; of equal points the first counts.
   [[nodiscard]] Vec3 vertex(Index i) const;
   /// The number that vertex i had among the points given.
   [[nodiscard]] Index source_of(Index vertex) const;

@@ -84,7 +84,7 @@ struct Triangle {
   friend constexpr bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-/// It is neither a segment nor a point; exact.
+/// Whether it is neither a segment nor a point; exact.
 [[nodiscard]] bool has_area(const Triangle& t);
 
 /// A solid ball: all points within `radius` of the centre, which is in the shape's own frame. Its pose may not deform

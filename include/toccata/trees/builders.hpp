@@ -41,7 +41,8 @@ enum class BvhMethod {
   equal_regions,
 };
 
-/// From the top down by a stack of tasks or by functions that call themselves: the same tree.
+/// Whether a tree is built from the top down by a stack of tasks or by functions that call themselves: the tree is the
+/// same.
 enum class BvhDriver { iterative, recursive };
 
 struct BvhOptions {
@@ -62,7 +63,7 @@ struct BvhShape {
   std::vector<Index> items;
 };
 
-/// With up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
+/// A tree with up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
 /// another arity, and for coordinates that are not finite or above 2^1000.
 [[nodiscard]] BvhShape build_bvh_shape(std::span<const Triangle> triangles, int arity, const BvhOptions& options);
 

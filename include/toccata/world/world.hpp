@@ -64,7 +64,7 @@ struct PairDetails {
 struct PairReport {
   BodyId a;  ///< a.index < b.index
   BodyId b;
-  /// They have a point in common; else they are only near, or have met on the way and are apart again.
+  /// Whether they have a point in common; else they are only near, or have met on the way and are apart again.
   bool in_contact = false;
   std::shared_ptr<const PairDetails> details{};  ///< none where nothing was asked for and nothing met on the way
 };
@@ -118,7 +118,7 @@ class World {
   BodyId add(const Body& body);
   BodyId add(const Model& model, const Pose& pose, BodyType type = BodyType::dynamic_body);
 
-  /// With their rules. Throws Error naming an id that is of no body here, or given twice.
+  /// Removes the bodies with their rules. Throws Error naming an id that is of no body here, or given twice.
   void remove(std::span<const BodyId> ids);
   void remove(BodyId id);
 
@@ -171,7 +171,7 @@ class World {
   /// All of them, ascending.
   [[nodiscard]] std::vector<BodyId> bodies() const;
   [[nodiscard]] bool contains(BodyId id) const;
-  /// As it was given last. Throws Error naming the id when it is of no body here.
+  /// The body as it was given last. Throws Error naming the id when it is of no body here.
   [[nodiscard]] const Body& body(BodyId id) const;
   /// How near two bodies have to be to be a pair, by their margins and rules; none where the two are never compared.
   /// Throws Error like `body`, and for one body twice.
@@ -180,7 +180,7 @@ class World {
   /// `body`.
   [[nodiscard]] const Aabb& box(BodyId id) const;
 
-  /// By index: the boxes of all bodies where they are now. Empty where no body has that index.
+  /// The boxes of all bodies where they are now, by index. Empty where no body has that index.
   [[nodiscard]] std::span<const Aabb> boxes() const;
   /// The body that has this index now, if any.
   [[nodiscard]] std::optional<BodyId> body_at(Index index) const;

@@ -23,7 +23,8 @@ struct BodyAnswer : Answer {
 /// Which bodies are asked: all, if nothing is said.
 struct BodyFilter {
   std::uint64_t mask = ~std::uint64_t{0};  ///< those that are in one of these groups
-  /// Those whose own mask has one of these groups, as if the question were a body in them; 0: masks do not matter.
+  /// Asked are those whose own mask has one of these groups, as if the question were a body in them; 0: masks do not
+  /// matter.
   std::uint64_t group = 0;
   /// Those of them for which it says yes; all, if it is empty. It has to answer the same each time, from many threads
   /// at once.
