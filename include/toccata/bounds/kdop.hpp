@@ -95,7 +95,7 @@ template <std::size_t k>
 /// True when all slabs overlap, which polytopes that are apart may do: edges are not tried against edges.
 template <std::size_t k>
 [[nodiscard]] bool overlap(const Kdop<k>& a, const Kdop<k>& b);
-/// The gap is at least what the slabs tell, and more where the nearest points are on edges or corners.
+/// The gap is at least what the slabs give, and more where the nearest points are on edges or corners.
 template <std::size_t k>
 [[nodiscard]] double gap(const Kdop<k>& a, const Kdop<k>& b);
 /// The slabs of the turned polytope, by the support above: looser than slabs fitted anew to the turned points.

@@ -46,7 +46,7 @@ struct BroadPhaseCells {
   std::vector<BroadPhaseCell> cells;  ///< by group
 };
 
-/// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
+/// How the pairs are looked for (docs/design/broad-phase.md describes each). All find the same pairs, to the bit.
 enum class BroadPhaseMethod {
   automatic,          ///< by what the boxes are like
   brute_force,        ///< every pair, with vector instructions

@@ -32,10 +32,10 @@ namespace toccata {
 /// translation; or words with numbers: `translation=X,Y,Z` and one rotation, `axis=X,Y,Z degrees=D`,
 /// `quaternion=X,Y,Z,W` or `euler=ORDER:A,B,C` in degrees. The order is three letters: `xyz` turns about the fixed axes
 /// x, y and z, one after the other, `XYZ` about the axes as they have been turned. The shape turns first and is
-/// translated then. Throws Error that tells the text and what is wrong with it.
+/// translated then. Throws Error that quotes the text and says what is wrong with it.
 [[nodiscard]] Pose pose_from_text(std::string_view text);
 
-/// A motion that a file tells, as `RigidMotion::through` takes it.
+/// A motion that a file gives, as `RigidMotion::through` takes it.
 struct FileMotion {
   std::vector<MotionKey> keys;
   Vec3 centre{};              ///< what goes straight on from key to key; the origin, but of a glTF file

@@ -86,7 +86,7 @@ struct Pose {
 /// Higham, "Computing the polar decomposition — with applications", SIAM J. Sci. Stat. Comput. 7, 1986, section 3) in
 /// doubles: off by about 2⁻⁴⁸ times what the greatest singular value is of the sum of the two least. It makes a pose
 /// that every shape accepts of one that drifted or came from floats. Throws Error when `m` is not finite, its exact
-/// determinant is not positive (it mirrors or flattens), or it is so nearly singular that doubles do not tell the
+/// determinant is not positive (it mirrors or flattens), or it is so nearly singular that doubles do not determine the
 /// rotation.
 [[nodiscard]] Mat3 nearest_rotation(const Mat3& m);
 

@@ -97,8 +97,8 @@ class BspTree {
   /// own frame, moves by `motion` without turning; every plane is moved out by how far the shape reaches across it, to
   /// either side, and the shape is a point that goes through the cells. In front of a face that is exact, but where
   /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
-  /// mesh allows, which is moved out too. So it tells of hits that are none, but never of none where there is one: what
-  /// is free is proved. With bevels it tells of fewer such hits. Throws Error when the motion is not finite.
+  /// mesh allows, which is moved out too. So it reports hits that are none, but never none where there is one: what is
+  /// free is proved. With bevels it reports fewer such hits. Throws Error when the motion is not finite.
   [[nodiscard]] BspTrace trace(const PosedPolytope& shape, const Vec3& motion,
                                BspBevels bevels = BspBevels::none) const;
 

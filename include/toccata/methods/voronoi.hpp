@@ -125,7 +125,7 @@ enum class WalkEnd : std::uint8_t {
 };
 
 /// A place on the way of a walk: a feature of each shape, and their nearest points, which lie inside both, as far as
-/// doubles tell; in the world.
+/// doubles show; in the world.
 struct VoronoiVisit {
   ConvexFeature on_a;
   ConvexFeature on_b;
@@ -153,8 +153,8 @@ struct VoronoiPath {
                                                 const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked);
 
-/// The same, and tells the way, for pictures and teaching. It is walked from what is kept even where a proof would have
-/// told at once that nothing has changed; the answer is the same.
+/// The same, and reports the way, for pictures and teaching. It is walked from what is kept even where a proof would
+/// have shown at once that nothing has changed; the answer is the same.
 [[nodiscard]] Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a,
                                                 const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked, VoronoiPath& path);

@@ -32,7 +32,7 @@ struct MotionKey {
   Pose pose{};
 };
 
-/// What a motion that is told by a function never exceeds, in the time from 0 to 1.
+/// What a motion that is given by a function never exceeds, in the time from 0 to 1.
 struct MotionSpeed {
   Vec3 centre{};     ///< a point of the shape's own frame
   double speed = 0;  ///< how fast that point moves, in world units
@@ -79,14 +79,14 @@ class RigidMotion {
   /// the times are not ascending from 0 to 1, and like `between`.
   [[nodiscard]] static RigidMotion through(std::span<const MotionKey> keys, const Vec3& centre = {});
 
-  /// Any motion: where the shape is, told by a function of the time, and a bound on how fast it moves. At the times at
+  /// Any motion: where the shape is, given by a function of the time, and a bound on how fast it moves. At the times at
   /// which the function is asked the shape is where its pose puts it, and in between its points move as the bound
   /// allows; what is answered is true of all such motions. Throws Error when a bound is negative or not finite. The
   /// function is asked when a question is, from any of its threads, and has to return the same for the same time.
   [[nodiscard]] static RigidMotion of(std::function<Pose(double)> pose_at, const MotionSpeed& bound);
 
   /// How something moves that is fixed to the shape: placed by a pose in its frame, which may scale it. Throws Error
-  /// when the pose is not finite, and of a motion that is told by a function when it is singular.
+  /// when the pose is not finite, and for a motion that is given by a function when it is singular.
   [[nodiscard]] RigidMotion carrying(const Pose& fixed) const;
 
   /// The pose at a time, rounded; at 0 it is the first pose. A vertex that it poses is off from where it is by no more
@@ -130,11 +130,11 @@ struct SweepQuery {
 ///              often, or very close, beside each other, so that 65,536 steps did not tell
 ///
 /// What does not turn is answered by `cast_shape`. For meshes, height fields and compounds it is the earliest of their
-/// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` tells
+/// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` has
 /// it, and those that are then as near as `stop_before` with the two elements that `distance` names. The normal is from
 /// B to A. Two half-spaces are not asked about, as in `cast_shape`. Throws Error for what `overlap` throws for at the
 /// poses of the start, when `stop_before` is not finite, for what the table of pairs.hpp does not define of casts, and
-/// when a motion that is told by a function moved faster than its bound.
+/// when a motion that is given by a function moved faster than its bound.
 [[nodiscard]] ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                              const SweepQuery& query = {});
 

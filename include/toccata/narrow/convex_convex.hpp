@@ -20,8 +20,8 @@ enum class Containment { none, a_in_b, b_in_a, equal };
 struct Relation {
   RelationKind kind = RelationKind::apart;
   Containment containment = Containment::none;
-  /// Two surfaces touch without any pair of faces crossing, so whether they pass through each other is not told by the
-  /// faces alone. Callers that ignore touching must still count this.
+  /// Two surfaces touch without any pair of faces crossing, so the faces alone do not show whether they pass through
+  /// each other. Callers that ignore touching must still count this.
   bool side_unresolved = false;
   bool a_solid = false;  ///< what each shape was taken for
   bool b_solid = false;
@@ -179,8 +179,8 @@ struct GjkOptions {
 };
 
 /// What `overlap` and `distance` promise, holds here too; where these use a formula for the pair, other numbers of the
-/// same interval may be told. Every bit of the answers is the same whatever the options are; what they save is told by
-/// the counts of the workspace: `steps` and `heights`.
+/// same interval may be answered. Every bit of the answers is the same whatever the options are; the counts of the
+/// workspace show what they save: `steps` and `heights`.
 [[nodiscard]] bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
                                   SimplexCache* workspace = nullptr);
 [[nodiscard]] Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},

@@ -111,13 +111,13 @@ struct BoundaryPoint {
 // Where cylinders, cones and ellipsoids touch or overlap other convex shapes.
 namespace toccata {
 
-// Empty exactly when the shapes are apart (`quadric_contact`). The normal is the direction of the penetration, told of
-// surfaces too, or of touching. Along it each shape has a face, a line or a point: a face where one turns to the normal
-// within two degrees (a cap, a polygon), a line where one lies across it as closely (an edge, a line of a round side),
-// else the farthest point. The points are up to four of what the two have in common when seen along the normal, a gap
-// of 2⁻¹⁰ of its extent included: the deepest first, then such that they span it. A face and a face have up to four (a
-// standing cylinder: four points of its rim), a line with a line along it or with a face two (a lying cylinder),
-// everything else one.
+// Empty exactly when the shapes are apart (`quadric_contact`). The normal is the direction of the penetration, which is
+// found for surfaces too, or of touching. Along it each shape has a face, a line or a point: a face where one turns to
+// the normal within two degrees (a cap, a polygon), a line where one lies across it as closely (an edge, a line of a
+// round side), else the farthest point. The points are up to four of what the two have in common when seen along the
+// normal, a gap of 2⁻¹⁰ of its extent included: the deepest first, then such that they span it. A face and a face have
+// up to four (a standing cylinder: four points of its rim), a line with a line along it or with a face two (a lying
+// cylinder), everything else one.
 //
 // Each position is half way between a point of A and one of B that are |depth| apart along the normal; both are off
 // from their shapes by at most 10⁻¹¹ of the size of the pair (of the quadric, and how far the other reaches from

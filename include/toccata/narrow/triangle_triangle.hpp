@@ -34,7 +34,7 @@ struct IntersectionPoint {
   friend constexpr auto operator<=>(const IntersectionPoint&, const IntersectionPoint&) = default;
 };
 
-/// The exact common set of two closed triangles, told by features, without a rounded coordinate.
+/// The exact common set of two closed triangles, described by features, without a rounded coordinate.
 struct Intersection {
   IntersectionKind kind = IntersectionKind::none;
   bool coplanar = false;  ///< all six vertices lie in one plane

@@ -21,7 +21,7 @@ struct Contact {
   Index triangle_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
-  Intersection intersection;  ///< that of two triangles; else of kind none, and `manifold` tells points
+  Intersection intersection;  ///< that of two triangles; else of kind none, and `manifold` finds points
 
   friend constexpr bool operator==(const Contact&, const Contact&) = default;
 };

@@ -49,7 +49,7 @@ struct DepthBracket {
 
 /// The penetration, as narrow as asked. Where more than 2 % is enough, the place at which two solids are deepest in
 /// each other is looked at first, which takes a few milliseconds and mostly is enough where they are not deep. Throws
-/// like it, and Error for options that are not as told.
+/// like it, and Error for options that are not as described.
 [[nodiscard]] DepthBracket depth_bracket(const Model& a, const Model& b, const PairQuery& query,
                                          const DepthOptions& options);
 

@@ -23,7 +23,7 @@ struct PointLocation {
 /// outside. Exact. Throws Error when the mesh is open, the pose is singular, or the point or a vertex is not finite.
 [[nodiscard]] PointLocation locate(const Vec3& point, const Model& solid, const Pose& pose = {});
 
-/// What tells inside from outside.
+/// What decides between inside and outside.
 enum class SignBy {
   automatic,                   ///< for a closed mesh the winding number, for an open one the generalised
   winding_number,              ///< exact: not 0 is inside, as `locate` has it. Not of open meshes
@@ -41,7 +41,7 @@ struct SignedDistance {
   Index face = 0;
   /// Where the status is undecided, inside stands for not being known: the safe side.
   Side side = Side::outside;
-  SignBy sign_by = SignBy::winding_number;  ///< which of the two told the side
+  SignBy sign_by = SignBy::winding_number;  ///< which of the two decided the side
   /// undecided: the generalised winding number is a half up to what it is off by. not_converged: as in SurfacePoint.
   Status status = Status::exact;
   friend constexpr bool operator==(const SignedDistance&, const SignedDistance&) = default;

@@ -117,7 +117,7 @@ struct RefinementOptions {
   int levels = 0;
   /// Refining ends before there were more, not counting what faces beside finer ones are cut into for their sake.
   std::size_t max_triangles = std::size_t{1} << 22;
-  Progress progress{};  ///< is told how many of these there are, level by level
+  Progress progress{};  ///< is called with how many of these there are, level by level
 };
 
 /// A mesh in place of a limit surface, and how far from each other they are.
@@ -158,7 +158,7 @@ struct LimitQuery {
   /// The most comparisons, in all levels, of faces with the model or of the faces of two cages with each other: the
   /// search ends there. Where surfaces coincide or are parallel over an area, all faces stay near.
   std::size_t max_comparisons = std::size_t{1} << 20;
-  Progress progress{};  ///< is told how many of them there were
+  Progress progress{};  ///< is called with how many of them there were
 };
 
 /// The distance of a limit surface from a model or another limit surface.

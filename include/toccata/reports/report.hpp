@@ -46,7 +46,7 @@ struct ReportedFacePair {
   std::vector<ReportedIntersection> intersections;
 };
 
-/// A pair that an earlier report tells.
+/// A pair that an earlier report lists.
 struct FormerPair {
   std::string a, b;  ///< names of the objects
   RelationKind kind = RelationKind::apart;
@@ -74,7 +74,7 @@ struct ReportedPair {
   ToleranceVerdict tolerance = ToleranceVerdict::none;
   std::optional<OverlapVolume> volume{};
   std::optional<Vec3> common_point{};
-  Aabb place{};  ///< around where they meet or are nearest, as far as the answer tells; else around what both may hold
+  Aabb place{};  ///< around where they meet or are nearest, as far as the answer says; else around what both may hold
   /// The winding number of the open mesh around the other object: filled where it alone, by ReportOptions::by_winding,
   /// says that this one is inside.
   std::optional<WindingNumber> winding{};
@@ -89,7 +89,7 @@ enum class Touching { count, ignore };
 /// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
 [[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
 
-/// Two sets of objects, told by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
+/// Two sets of objects, given by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
 /// in each, either way round.
 struct NameRule {
   std::vector<std::string> a;
@@ -116,7 +116,7 @@ struct NameRules {
 /// character of UTF-8, and `\` makes the next one mean itself. Capital letters are others than small ones.
 [[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
 
-/// What an earlier report of `check` told, for comparison.
+/// What an earlier report of `check` said, for comparison.
 struct Baseline {
   std::string file;  ///< for people
   std::vector<FormerPair> pairs;
@@ -330,16 +330,17 @@ struct InspectedObject {
   /// has no end, and where the pose is refused.
   std::optional<Aabb> world_box;
   std::string refusal;  ///< why no question can be asked about it where it is; else empty
-  /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
+  /// What `measure_volumes` finds for its mesh, where that is asked for; `inspect` leaves it empty.
   std::vector<VolumeCost> volumes{};
-  std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` tells of its triangles, the same way
-  std::vector<MeshFault> faults{};                  ///< what `mesh_faults` tells of its mesh, the same way
-  std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; of meshes, told by `ask`
-  std::size_t boundaries = 0;                       ///< holes and rims of an open mesh (`boundary_count`), by `ask`
-  std::optional<double> closing_gap{};              ///< what `closing_gap` tells of an open mesh, in its own units
+  std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` finds for its triangles, likewise
+  std::vector<MeshFault> faults{};                  ///< what `mesh_faults` finds in its mesh, likewise
+  std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; for meshes, filled by `ask`
+  std::size_t boundaries = 0;                       ///< holes and rims of an open mesh (`boundary_count`), filled by
+                                                    ///< `ask`
+  std::optional<double> closing_gap{};              ///< what `closing_gap` finds for an open mesh, in its own units
 };
 
-/// Everything that `inspect` tells about the object.
+/// Everything that `inspect` reports about the object.
 [[nodiscard]] InspectedObject inspect(const SceneObject& object);
 
 /// "boundary_edges", "non_manifold_edges", "flipped_edges", "degenerate_triangles", "duplicate_triangles",
@@ -370,7 +371,7 @@ struct MinkowskiReport {
 /// The sum as an object of that name.
 [[nodiscard]] SceneObject sum_object(const MinkowskiReport& report);
 
-/// A point of the surface of a scene's object, which is told by its place in the scene.
+/// A point of the surface of a scene's object, which is named by its place in the scene.
 struct ReportedSurfacePoint {
   SurfacePoint nearest;
   Index object = 0;

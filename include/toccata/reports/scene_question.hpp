@@ -265,8 +265,8 @@ struct AskOptions {
   /// Asked before each pair that `check` looks at, from any thread: once it is true no pair is begun any more, and the
   /// report says how many are left (CheckReport::unfinished).
   std::function<bool()> stop{};
-  /// Told each pair that `check` will report as soon as it is found, as a report of that pair alone: in the order in
-  /// which they are found, from any thread, never from two at once.
+  /// Is called with each pair that `check` will report as soon as it is found, as a report of that pair alone: in the
+  /// order in which they are found, from any thread, never from two at once.
   std::function<void(const CheckReport&)> found{};
 };
 
@@ -275,7 +275,7 @@ struct AskOptions {
 
 /// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
 /// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
-/// no double tells.
+/// no double holds.
 [[nodiscard]] SceneAnswer ask(std::span<const SceneInstance> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
@@ -347,8 +347,8 @@ struct SavedReport {
 /// Throws Error naming the file and the place in it; also for a report that does not say what was asked.
 [[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
 
-/// What a report of `check` told, as the baseline of another check: `CheckQuestion::baseline`. Throws Error naming the
-/// file when it is no such report, or tells of objects of which none is in the scene: it is about another model.
+/// What a report of `check` said, as the baseline of another check: `CheckQuestion::baseline`. Throws Error naming the
+/// file when it is no such report, or is about objects of which none is in the scene: it is about another model.
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace toccata

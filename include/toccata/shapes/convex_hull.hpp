@@ -17,7 +17,7 @@ namespace toccata {
 struct HullTopology {
   std::span<const Index>
       face_start;                 ///< one more than faces: face f has the half-edges [face_start[f], face_start[f + 1])
-  std::span<const Index> origin;  ///< for each half-edge, the vertex it starts at; the next of its face tells its end
+  std::span<const Index> origin;  ///< for each half-edge, its first vertex; the next of its face starts at its last
   std::span<const Index> twin;    ///< for each half-edge, the same edge in the other face, the other way round
   std::span<const Index> face;    ///< for each half-edge, the face it belongs to
   std::span<const Index> leaving;  ///< for each vertex, a half-edge that starts at it
@@ -110,7 +110,7 @@ struct View {
 
 /// The solid that a camera sees. Its corners are rounded, by a few units in the last place of the distance from the eye
 /// (over the sine of the angle between direction and up) and of the eye's coordinates. What it overlaps is in view;
-/// `overlapping` of SceneIndex and WorldQueries tells of it exactly. Throws Error that names a number out of range.
+/// `overlapping` of SceneIndex and WorldQueries finds it exactly. Throws Error that names a number out of range.
 [[nodiscard]] ConvexHull view_frustum(const View& view);
 
 }  // namespace toccata

@@ -24,7 +24,7 @@
 
 namespace toccata {
 
-/// What is told of every pair, besides that it is one. Each costs what the question of that name costs.
+/// What is reported of every pair, besides that it is one. Each costs what the question of that name costs.
 struct WorldOptions {
   bool relation = false;
   bool distance = false;
@@ -72,9 +72,9 @@ struct PairReport {
 /// What a step found. Each list is ascending by (a, b).
 struct WorldStep {
   std::vector<PairReport> begin;    ///< not there at the step before
-  std::vector<PairReport> persist;  ///< there at both; told as it is now
-  std::vector<PairReport> end;      ///< there at the step before only; told as it was then. Bodies removed since are
-                                    ///< named by the ids that they had
+  std::vector<PairReport> persist;  ///< there at both; reported as it is now
+  std::vector<PairReport> end;      ///< there at the step before only; reported as it was then. Bodies removed since
+                                    ///< are named by the ids that they had
   std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out; with
                                     ///< `space_time` none that was known to be apart until later
   std::size_t asked = 0;            ///< those candidates that could not be taken over from the step before
@@ -128,7 +128,7 @@ class World {
   void move(BodyId id, const Pose& pose);
 
   /// Lets body ids[i] go along motions[i], from where that begins to where it ends, in the time of the next step. The
-  /// body is at its end now; but the step also finds every pair that meets on the way, if only for a moment, and tells
+  /// body is at its end now; but the step also finds every pair that meets on the way, if only for a moment, and says
   /// when first (PairDetails::first_contact): nothing tunnels. A body that is moved, replaced or removed before the
   /// step has gone nowhere. Throws Error as `move` does, and as RigidMotion::at; the step throws what `sweep` throws.
   void move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions);
