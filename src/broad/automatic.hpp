@@ -7,7 +7,7 @@
 
 namespace toccata {
 
-/// By what `auto` measures, and what it measures.
+/// The means by which `auto` measures, and what it measures.
 struct AutomaticMeans {
   std::function<double()> milliseconds;  ///< since some moment
   std::function<std::unique_ptr<PairFinder>(BroadPhaseMethod)> finder;

@@ -68,7 +68,7 @@ class MovingPart {
 
   [[nodiscard]] PartMotion motion(const TimeStretch& stretch) const;
 
-  /// By how much a direction of it may be off, posed in doubles.
+  /// How much a direction of it may be off when it is posed in doubles.
   [[nodiscard]] double pose_error(const TimeStretch& stretch) const;
 
   [[nodiscard]] const MovingCore& core() const { return core_; }

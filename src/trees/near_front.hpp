@@ -21,7 +21,7 @@ struct FrontGap {
 /// A question about what is nearest, for a front.
 class FrontQuestion {
  public:
-  /// As of NearQuestion.
+  /// The limit, as that of NearQuestion.
   [[nodiscard]] virtual double limit() const = 0;
   /// Writes for every pair along which direction it is apart; nothing is known of those that are left as they are.
   virtual void visit(std::span<const ItemPair> pairs, std::span<FrontGap> gaps) = 0;

@@ -158,7 +158,7 @@ class WideChecker {
     return item;
   }
 
-  /// As real numbers. Also that the lane's box is not far beyond all items.
+  /// Whether the lane's box holds the items below in real numbers, and is not far beyond all of them.
   bool holds(const WideBlock& block, std::size_t lane, const Below& below) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double centre{block.centre[axis][lane]}, extent{block.extent[axis][lane]};

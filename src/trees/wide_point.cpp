@@ -143,7 +143,7 @@ class PointSearch {
     keep_within(limit);
   }
 
-  /// By the squares of how far boxes are. What is not a number keeps the lane.
+  /// Compares the squares of how far boxes are. What is not a number keeps the lane.
   HWY_INLINE unsigned meet(const WideBlock& block, std::size_t first, LaneFloats& squared) {
     if (first == 0) boxes_ += block.count;
     const Floats d;

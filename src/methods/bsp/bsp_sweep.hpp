@@ -143,7 +143,7 @@ class BspSweep {
     return !stretch.is_empty() && !(time_before(stretch) > latest_);
   }
   [[nodiscard]] BspHeights heights_of_middle(const BspSide& side) const;
-  /// By the box around the shape.
+  /// The heights by the box around the shape.
   [[nodiscard]] BspHeights rough_heights(const BspSide& side) const;
 
   const BspTree::Parts& parts_;

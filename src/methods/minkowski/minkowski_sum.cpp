@@ -79,7 +79,7 @@ SumVertex end_of_line(const SumOperand& a, const SumOperand& b, bool least) {
   return {end(a), end(b)};
 }
 
-/// As HullTopology describes points and segments.
+/// The facets of a line as HullTopology describes points and segments.
 SumFacets facets_of_line(const SumOperand& a, const SumOperand& b) {
   SumFacets line;
   line.corners = {end_of_line(a, b, true), end_of_line(a, b, false)};

@@ -52,7 +52,7 @@ struct MspTree::Parts {
   MspStatistics statistics;
 };
 
-/// As `build_bsp`.
+/// Builds the tree as `build_bsp` does.
 void build_msp(MspTree::Parts& parts, const BspOptions& options);
 
 }  // namespace toccata

@@ -159,7 +159,7 @@ class TrackedQuestion {
     tracked_.workspace.simplex_size = static_cast<int>(pairs.size);
   }
 
-  /// By GJK, from what is kept of the last search or walk.
+  /// The distance by GJK, from what is kept of the last search or walk.
   Distance searched() {
     ++tracked_.counts.searched;
     const Distance distance = distance_by_gjk(a_, b_, {}, &tracked_.workspace);

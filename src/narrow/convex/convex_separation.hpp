@@ -17,7 +17,7 @@ struct ConvexSeparation {
 /// The penetration of shapes whose cores' interiors meet: the radii add to the cores' depth.
 [[nodiscard]] Penetration offset_outward(const CoreSeparation& core, double radius_a, double radius_b);
 
-/// By expansion. The answer for (B, A) may have other bits: ask in canonical order.
+/// Parts the shapes by expansion. The answer for (B, A) may have other bits: ask in canonical order.
 [[nodiscard]] ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
 
 /// The same where it is known that even the cores have a point in common; quicker then.

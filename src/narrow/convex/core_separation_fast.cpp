@@ -195,7 +195,7 @@ class FastSeparation {
 
   [[nodiscard]] Vec3 corner(Index f, std::size_t k) const { return surface_.point(surface_.facets.corner(f, k)); }
 
-  /// By the formula: for a facet that has the origin behind it.
+  /// Decides by the formula, for a facet that has the origin behind it.
   [[nodiscard]] bool is_certainly_beyond(Index f, double lower) const {
     FacetCorners corners = corners_of(f);
     const FacetKind kind = sort(corners);

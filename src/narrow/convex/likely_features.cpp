@@ -11,7 +11,7 @@ namespace {
 
 Vec3 edge_of(const PosedPolytope& core) { return core.vertex(core.vertex_count() - 1) - core.vertex(0); }
 
-/// As NearestFeatures has them of each shape.
+/// The corners of one shape's feature, as NearestFeatures has them.
 using CornersOfFace = std::array<Index, 3>;
 
 /// Sets the vertices of a point or a segment that hold the point at the share of its edge. Returns how many they are.

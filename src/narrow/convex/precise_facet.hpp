@@ -8,7 +8,8 @@ namespace toccata {
 
 /// A facet of the Minkowski difference of two cores, with the origin's foot inside, computed with double-words.
 struct PreciseFacet {
-  /// As if the facet were the nearest: the bounds, neighbouring doubles, are those of its distance from the origin.
+  /// The separation as if the facet were the nearest: the bounds, neighbouring doubles, are those of its distance from
+  /// the origin.
   CoreSeparation separation;
   double inner_radius = 0;  ///< no border of the features' triangle or parallelogram is nearer to the foot
 };

@@ -53,7 +53,7 @@ HWY_INLINE Number row_times(PoseNumbers row, double offset, const Vector& v) {
   return hn::Add(hn::Add(xy, hn::Mul(hn::Set(tag, row[2]), v.z)), hn::Set(tag, offset));
 }
 
-/// As `transform` does, and put back in place.
+/// The corner posed as `transform` does it, and put back in its place.
 HWY_INLINE Vector posed(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t lane, PoseNumbers pose) {
   double* x = lanes_of(corners, corner, 0) + lane;
   double* y = lanes_of(corners, corner, 1) + lane;

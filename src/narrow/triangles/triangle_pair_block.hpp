@@ -14,7 +14,7 @@ namespace toccata {
 /// them. Lanes from `count` on may hold any numbers, but must hold some: value-initialise a block before its first use.
 struct alignas(64) TrianglePairBlock {
   static constexpr std::size_t lanes = 8;
-  /// By corner, axis and lane.
+  /// Coordinates by corner, axis and lane.
   using Corners = std::array<std::array<std::array<double, lanes>, 3>, 3>;
 
   Corners a;  ///< in each mesh's own frame; in the world after `classify_pairs`

@@ -44,7 +44,7 @@ struct WaitingCell {
   Vec3 upper;
   Vec3 change;  ///< how much the sum of the distances may change along each axis
 
-  /// As a heap has it: the greatest bound first, then the one that came first.
+  /// The order of a heap: the greatest bound first, then the one that came first.
   friend bool operator<(const WaitingCell& x, const WaitingCell& y) {
     return std::tie(x.bound, y.number) < std::tie(y.bound, x.number);
   }

@@ -245,7 +245,7 @@ std::optional<ConvexParts> enlarged(const ConvexParts& parts, int exponent) {
   return result;
 }
 
-/// By a copy of about size 1: queries about it are quick, where the squares of tiny and huge numbers need exact
+/// Decomposes a copy of about size 1: queries about it are quick, where the squares of tiny and huge numbers need exact
 /// arithmetic. Nothing where the copy would be rounded.
 std::optional<ConvexParts> decomposed_near_one(const TriangleMesh& mesh, int exponent, DecompositionOptions options) {
   auto scaled = times_power_of_two(mesh.vertices(), -exponent);

@@ -39,7 +39,7 @@ Sign perturbed_turn(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& 
   return Sign::zero;
 }
 
-/// As EdgesThrough tells it of one edge, by the sides of its ends and its turns with the other's edges.
+/// How one edge passes, as in EdgesThrough, by the sides of its ends and its turns with the other's edges.
 int passes(Sign from, Sign to, const std::array<Sign, 3>& turns) {
   if (turns[0] != turns[1] || turns[1] != turns[2]) return 0;
   return from == Sign::positive && to == Sign::negative ? 1 : -1;

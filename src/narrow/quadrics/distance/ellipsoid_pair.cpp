@@ -23,7 +23,7 @@ constexpr double small_turn_squared = 0x1p-46;
 /// The greatest ratio of half axes: that the squares of S do not hide the shorter ones.
 constexpr double most_slim = 64;
 
-/// By its upper half.
+/// A symmetric matrix, by its upper half.
 struct EllipsoidMatrix {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
