@@ -24,7 +24,7 @@ class BoxSample {
   [[nodiscard]] const Spread& places(std::size_t axis) const { return places_[axis]; }
   /// A quarter of the lengths along an axis, of which `high` is 95 in a hundred.
   [[nodiscard]] const Spread& sizes(std::size_t axis) const { return sizes_[axis]; }
-  /// Around what of the sample is finite.
+  /// The box around what is finite of the sample.
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t size() const { return size_; }
 

@@ -85,7 +85,7 @@ class HashGrid final : public PairFinder {
     return sum;
   }
 
-  /// Those that some box is native to: where there are only visitors, nothing is compared.
+  /// The cells that some box is native to: where there are only visitors, nothing is compared.
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
     std::vector<std::set<CellPlace>> places(grids_.size());
     for (std::size_t number = 0; number < boxes.size(); ++number) {
@@ -183,7 +183,7 @@ class HashGrid final : public PairFinder {
     entries_.push_back({key << 1 | is_visitor, number});
   }
 
-  /// Those runs of equal keys that begin between `begin` and `end`. Natives come first.
+  /// Compares those runs of equal keys that begin between `begin` and `end`. Natives come first.
   void compare_equal_keys(std::span<const Aabb> boxes, std::size_t begin, std::size_t end, PairBuffer& pairs) const {
     const auto key_at = [&](std::size_t i) { return entries_[i].key >> 1; };
     while (begin > 0 && begin < end && key_at(begin) == key_at(begin - 1)) ++begin;

@@ -44,7 +44,7 @@ class LooseOctree final : public PairFinder {
     return sum;
   }
 
-  /// Those of the nodes that exist; they reach half as far again to each side.
+  /// The cells of the nodes that exist; they reach half as far again to each side.
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
     std::set<std::pair<int, CellPlace>> nodes;
     for (const auto& entry : entries_) {

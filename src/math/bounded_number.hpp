@@ -48,7 +48,7 @@ inline BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
   return {product, 1.5 * propagated + (double_word_bound * std::fabs(product.high) + BoundedNumber::underflow)};
 }
 
-/// Not certain (an infinite bound) unless the divisor's sign is.
+/// The quotient is not certain (an infinite bound) unless the divisor's sign is.
 inline BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b) {
   if (!(b.is_positive() || b.is_negative())) return {{0, 0}, HUGE_VAL};
   const DoubleWord quotient = a.value / b.value;

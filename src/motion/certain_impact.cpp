@@ -127,7 +127,7 @@ struct TimePart {
   [[nodiscard]] double at(double fraction) const { return std::ldexp(index + fraction, -depth); }
 };
 
-/// At any time that t stands for.
+/// The corner at any time that t stands for.
 BoundedVector at_time(const MovingCorner& c, const BoundedNumber& t) {
   const BoundedVector start = bounded_difference(c.head->start, c.tail->start);
   const BoundedVector end = bounded_difference(c.head->end, c.tail->end);

@@ -85,7 +85,7 @@ template <class B>
   return end;
 }
 
-/// From A to B, of length 1 or zero. What is kept saves time.
+/// A direction from A to B, of length 1 or zero. What is kept saves time.
 [[nodiscard]] inline Vec3 separating_direction(const PlacedSet<PosedPolytope>& a, const PlacedSet<PosedPolytope>& b,
                                                VertexPairs& kept) {
   const GjkEnd end = nearest_pairs(a, b, kept);
@@ -138,7 +138,8 @@ template <class A, class B>
   return end.inside || !is_finite(point) ? distance(a.set, b.set).on_b : point;
 }
 
-/// They certainly have a point in common; of a quadric what is undecided is not. What is kept saves time.
+/// Whether they certainly have a point in common; what is undecided of a quadric is not certain. What is kept saves
+/// time.
 template <class A, class B>
 [[nodiscard]] bool certainly_overlap(const A& a, const B& b, SimplexCache& kept) {
   if constexpr (std::same_as<A, PosedQuadric> || std::same_as<B, PosedQuadric>)

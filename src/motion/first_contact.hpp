@@ -22,7 +22,7 @@ class MovingPair {
   /// A separation along a direction that is shorter than 1 tells of no more than one along a direction of length 1.
   [[nodiscard]] virtual bool may_turn() const = 0;
 
-  /// They certainly have a point in common then. False says nothing.
+  /// Whether they certainly have a point in common then. False says nothing.
   [[nodiscard]] virtual bool surely_meet(double time) = 0;
 
  protected:

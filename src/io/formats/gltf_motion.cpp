@@ -89,7 +89,7 @@ class AnimationReader {
     return nodes.size() > most ? names + ", …" : names;
   }
 
-  /// From its parent up.
+  /// The ancestors of a node, from its parent up.
   [[nodiscard]] std::vector<std::size_t> ancestors_of(std::size_t node) const {
     std::vector<std::optional<std::size_t>> parents(nodes_.size());
     for (std::size_t parent = 0; parent < nodes_.size(); ++parent)

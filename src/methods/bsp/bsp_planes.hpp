@@ -124,7 +124,7 @@ class BspPlanes {
   [[nodiscard]] RoundedBspPlane rounded(const AxisPlane& plane) const;
   [[nodiscard]] RoundedBspPlane rounded(const EdgePlane& plane) const;
 
-  /// On which side a point lies: positive in front, to where the normal points. Exact.
+  /// The side on which a point lies: positive in front, to where the normal points. Exact.
   [[nodiscard]] Sign side(const Vec3& point, BspPlane plane) const;
 
  private:

@@ -45,7 +45,7 @@ struct BspHeights {
   double high = 0;
   double error = 0;
 
-  /// On which side all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
+  /// The side on which all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
   [[nodiscard]] Sign side(const BspStretch& s) const {
     const double first = start + s.from * rise, last = start + s.to * rise;
     const double above = error - low, below = -error - high;
@@ -113,7 +113,7 @@ class BspSweep {
  private:
   /// Points are asked for so often that nothing is computed for them which is 0.
   enum class Extent { point, shape };
-  /// From a node to a child.
+  /// A step from a node to a child.
   struct Step {
     BspChild node = 0;
     bool to_front = false;

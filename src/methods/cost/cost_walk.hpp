@@ -284,7 +284,7 @@ constexpr CostFunctions cost_functions() {
   return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(BvhNode<V>), V::microseconds};
 }
 
-/// Not of CostVolume::wide.
+/// The functions of a volume other than CostVolume::wide.
 [[nodiscard]] CostFunctions cost_functions_of(CostVolume volume);
 
 }  // namespace toccata

@@ -54,7 +54,7 @@ class FarSearch {
     }
   }
 
-  /// From an edge that lies across the normal to the face that does, if one does.
+  /// Widens the feature from an edge that lies across the normal to the face that does, if one does.
   void widen(Index face, FarFeature& far) const {
     for (const Index h : {far.first, far.second}) {
       const SumOperand::HalfEdge& edge = other_.half_edges()[h];

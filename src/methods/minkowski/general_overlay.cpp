@@ -109,7 +109,7 @@ class GeneralOverlay {
     return true;
   }
 
-  /// On which side of the arc's great circle the normal of a face of B lies; zero where it is in doubt.
+  /// The side of the arc's great circle on which the normal of a face of B lies; zero where it is in doubt.
   [[nodiscard]] Sign side_of_face(Index face, Index e) const {
     const double slope = b_.rounded_slope(face, a_, e), error = b_.slope_error(face, a_);
     return slope > error ? Sign::positive : slope < -error ? Sign::negative : Sign::zero;

@@ -65,7 +65,7 @@ struct VoronoiRegions::Parts {
     const Vertex& v = vertices[vertex];
     return std::span(spokes).subspan(v.first_spoke, v.end_of_spokes - v.first_spoke);
   }
-  /// From the start of a half-edge to its end.
+  /// The way from the start of a half-edge to its end.
   [[nodiscard]] Vec3 way(Index half_edge) const {
     return vertex(topology.target(half_edge)) - vertex(topology.origin[half_edge]);
   }

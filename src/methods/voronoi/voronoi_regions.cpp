@@ -95,7 +95,7 @@ RegionParts::Side side_of(const RegionParts& parts, Index face, std::span<const 
   return side;
 }
 
-/// From the start of a half-edge into its face: see `Edge::into`.
+/// The way from the start of a half-edge into its face: see `Edge::into`.
 Vec3 way_into(const RegionParts& parts, Index half_edge) {
   const HullTopology& t = parts.topology;
   const RegionParts::Side& beyond = parts.sides[t.face[t.twin[half_edge]]];

@@ -26,7 +26,7 @@ struct SeenFace {
 struct BoxOverlay {
   static constexpr std::size_t capacity = 16;
 
-  /// Without a point; nothing is written that nobody reads.
+  /// An overlay without a point; nothing is written that nobody reads.
   BoxOverlay() {}
 
   static constexpr Index first_entry = 4;    ///< before it the parallelogram's corners that are over the rectangle

@@ -23,13 +23,13 @@ Vec3 face_normal(const BoxView& box, std::size_t i) {
   return unit_of_nearly_unit(cross(box.axis(next_axis(i)), box.axis(next_axis(next_axis(i)))));
 }
 
-/// From A to B, as the way along the edge across the face goes.
+/// The direction from A to B, as the way along the edge across the face goes.
 Vec3 direction_of_face(const BoxView& box, std::size_t i, double way) {
   const Vec3 normal = face_normal(box, i);
   return std::copysign(1, way) * std::copysign(1, dot(normal, box.axis(i))) * normal;
 }
 
-/// From A to B.
+/// The direction from A to B.
 Vec3 direction_of_edges(const BoxView& a, const BoxView& b, std::size_t i, std::size_t j) {
   const Vec3 normal = cross(a.axis(i), b.axis(j));
   const double inverse = 1 / std::sqrt(dot(normal, normal));

@@ -69,7 +69,7 @@ std::optional<Extents> extents(const PosedPolytope& shape) {
   return shape.vertex_count() == 8 ? extents_of_corners(shape) : std::nullopt;
 }
 
-/// Without an error where it is exact, as it often is of coordinates and radii of a few digits.
+/// The sum, without an error where it is exact, as it often is for coordinates and radii of a few digits.
 BoundedNumber sum(const BoundedNumber& a, double b) {
   const TwoPart high = two_sum(a.value.high, b), low = two_sum(high.low, a.value.low);
   if (a.error == 0 && low.low == 0) return {double_word(two_sum(high.high, low.high)), 0};

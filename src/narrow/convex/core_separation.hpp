@@ -38,7 +38,7 @@ inline constexpr double relative_width_of_depth = 0x1p-40;
 [[nodiscard]] std::optional<CoreSeparation> part_cores_fast(const PosedPolytope& a, const PosedPolytope& b,
                                                             double reach);
 
-/// With exact signs and from any start: the origin may be outside.
+/// Parts the cores with exact signs and from any start: the origin may be outside.
 [[nodiscard]] CoreSeparation part_cores_exactly(const PosedPolytope& a, const PosedPolytope& b, double reach);
 
 }  // namespace toccata

@@ -30,8 +30,8 @@ std::optional<NearestFeatures> features_of(const VertexPairs& simplex) {
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
-/// On which side of the planes through two features all other vertices have to be: of nearest features of shapes that
-/// are apart, beyond them; of a facet of shapes that overlap, behind it.
+/// The side of the planes through two features on which all other vertices have to be: beyond them for nearest features
+/// of shapes that are apart, behind it for a facet of shapes that overlap.
 enum class OthersAre { beyond, behind };
 
 /// What is known of all other vertices; a vertex is before a plane on whose wrong side it is.

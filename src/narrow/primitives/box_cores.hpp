@@ -108,7 +108,7 @@ HWY_INLINE BesideBox beside(const OneVector& local, const OneVector& half, doubl
   return b;
 }
 
-/// From the nearest point of the box, in the world.
+/// The way from the nearest point of the box, in the world.
 HWY_INLINE OneVector way_from(const OneBlock& block, const BesideBox& b) {
   ThreeNumbers outside;
   for (std::size_t k = 0; k < 3; ++k) outside[k] = b.is_before(k) ? 0 : std::copysign(b.beyond[k], b.at[k]);

@@ -158,7 +158,7 @@ HWY_INLINE OneVector without_least(const OneVector& v) {
       v);
 }
 
-/// With twice the digits.
+/// The gap with twice the digits.
 struct PreciseGap {
   OneVector apart;  ///< on_a − on_b, each coordinate nearly rounded once
   LongRoot length;  ///< of that

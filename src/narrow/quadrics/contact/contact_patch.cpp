@@ -27,7 +27,7 @@ void lean(ContactPatch& patch, const Vec3& normal) {
   patch.slope_y = -normal.y / normal.z;
 }
 
-/// From the first axis on to the second one, around.
+/// The quarter that a point is in, from the first axis on to the second one, around.
 Index quarter(const Vec3& u) {
   if (u.x > 0 && u.y >= 0) return 0;
   if (u.x <= 0 && u.y > 0) return 1;
