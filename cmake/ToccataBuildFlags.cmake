@@ -20,7 +20,7 @@ endfunction()
 toccata_flags(toccata_build_flags ${TOCCATA_WARNINGS})
 toccata_flags(toccata_test_flags ON)
 
-# Of the folder, thus in front of a target's own options, so that these may take checks back.
+# These options are those of the folder, and so stand in front of a target's own options, so that these may take checks back.
 if(TOCCATA_SANITIZE)
   add_compile_options(-fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TOCCATA_SANITIZE})

@@ -41,7 +41,7 @@ def entries():
 def has_test(reference):
     room, _, test = reference.partition(":")
     suite, _, name = test.partition(".")
-    # Of a test with parameters: Instance/Suite.Test/number.
+    # A test with parameters is called Instance/Suite.Test/number.
     suite, name = suite.split("/")[-1], name.split("/")[0]
     pattern = re.compile(rf"TEST(_F|_P)?\(\s*{re.escape(suite)},\s*{re.escape(name)}\s*\)")
     return any(pattern.search(p.read_text()) for p in (ROOT / "tests" / room).glob("*_test.cpp"))

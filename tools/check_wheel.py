@@ -60,7 +60,7 @@ def environment(name, python, *packages):
     if not stamp.exists() or stamp.read_text() != wanted:
         shutil.rmtree(folder, ignore_errors=True)
         run(python, "-m", "venv", folder)
-        # Of what is installed little is imported, and compiled then.
+        # Little of what is installed is imported, and that is compiled then.
         run(folder / "bin/python", *PIP, "install", "--quiet", "--no-compile", *packages)
         stamp.write_text(wanted)
     return folder / "bin/python"

@@ -15,7 +15,7 @@ import subprocess
 import zlib
 
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "apps", "cmake", "include", "src", "tests", "tools"]
-# Of a copy that is built to run some tests once: one SIMD level is enough, as each has the same lines and takes as long to
+# The options of a copy that is built to run some tests once: one SIMD level is enough, as each has the same lines and takes as long to
 # compile as all the rest of its file.
 QUICK_OPTIONS = ["-DTOCCATA_BUILD_TESTS=ON", "-DTOCCATA_TEST_REPOSITORY=OFF", "-DTOCCATA_TEST_WITH_SWEEPS=OFF", "-DTOCCATA_TEST_WITH_CGAL=OFF",
                  "-DTOCCATA_TEST_OPTIONS=-O0", "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC"]

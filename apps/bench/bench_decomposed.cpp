@@ -58,7 +58,7 @@ struct Asked {
   std::vector<double> answers;
 };
 
-/// Of each question the fastest round counts.
+/// The fastest round of each question counts.
 Asked asked(const WayToAsk& way, const std::vector<PosePair>& poses, const DecomposeArguments& arguments) {
   Asked found{{}, std::vector<double>(poses.size())};
   std::vector<double> times(poses.size(), std::numeric_limits<double>::infinity());

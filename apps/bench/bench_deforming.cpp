@@ -97,7 +97,7 @@ nlohmann::ordered_json json_of(const DeformingRow& row) {
           {"free_steps_ms", row.free_steps_ms}, {"impacts", row.impacts},       {"same", row.same}};
 }
 
-/// Of the time of a step, from the smallest cloth to the largest.
+/// The exponent with which the time of a step grows from the smallest cloth to the largest.
 double growth_exponent(const DeformingRow& least, const DeformingRow& greatest) {
   return std::log(greatest.step_ms() / least.step_ms()) /
          std::log(static_cast<double>(greatest.triangles) / static_cast<double>(least.triangles));

@@ -24,7 +24,8 @@ std::vector<Aabb> questions_at(std::span<const Aabb> boxes, std::size_t count, s
   return questions;
 }
 
-/// Of one library: the numbers of boxes in each place, or of all pairs one list with the two numbers behind each other.
+/// The answers of one library: the numbers of boxes in each place, or one list of all pairs with the two numbers behind
+/// each other.
 using Answers = std::vector<std::vector<Index>>;
 
 struct MeasuredPartitions {
@@ -36,7 +37,7 @@ Clock clock_of(const PartitionsArguments& arguments) {
   return arguments.clock == "thread" ? Clock::thread : Clock::wall;
 }
 
-/// Of each question the fastest of the rounds counts.
+/// The fastest round of each question counts.
 void ask_boxes(const PartitionLibrary& library, std::span<const Aabb> questions, const PartitionsArguments& arguments,
                MeasuredPartitions& one) {
   std::vector<double> times;
@@ -111,7 +112,7 @@ int run_partitions(const PartitionsArguments& arguments) {
     all.push_back(measured(*library, items.boxes(), questions, arguments));
     library.reset();
   }
-  // Of all pairs every box's own list would be the truth; there the libraries judge each other.
+  // For all pairs every box's own list would be the truth; there the libraries judge each other.
   const Answers right = arguments.task == "pairs" ? all.front().answers : truth(items.boxes(), questions);
   Measurements measurements;
   for (MeasuredPartitions& one : all) {

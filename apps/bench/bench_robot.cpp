@@ -119,7 +119,7 @@ std::vector<RobotRow> robot_rows(const RobotScene& scene, const RobotArguments& 
   return rows;
 }
 
-/// Of the first row of the same task.
+/// The ratio of a row's time to that of the first row of the same task.
 double ratio_to_ours(const RobotRow& row, const std::vector<RobotRow>& rows) {
   const auto ours = std::ranges::find(rows, row.task, &RobotRow::task);
   return row.mean_us / ours->mean_us;

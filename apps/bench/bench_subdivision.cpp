@@ -35,7 +35,7 @@ struct LimitRun {
   std::vector<LimitInterval> intervals;  ///< of the distances
 };
 
-/// Of each the fastest round counts.
+/// The fastest round of each question counts.
 LimitRun measured(LimitLibrary& library, const SubdivisionCage& cage, const SubdivisionArguments& arguments) {
   const Clock clock = arguments.clock == "thread" ? Clock::thread : Clock::wall;
   const Model box = Box({0.4, 0.3, 0.2});

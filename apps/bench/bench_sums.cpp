@@ -47,7 +47,7 @@ struct SumRun {
   std::vector<Index> answers;
 };
 
-/// Of each batch the fastest round counts; a batch again at once would be measured with branches that were learnt.
+/// The fastest round of each batch counts; a batch again at once would be measured with branches that were learnt.
 SumRun measured(SumLibrary& library, const SumWork& work, const SumsArguments& arguments) {
   const bool of_points = arguments.task == "point";
   const std::size_t count = of_points ? work.points.size() : work.pairs.size();

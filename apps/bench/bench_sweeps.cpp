@@ -78,7 +78,7 @@ void add_set(const SweepWork& work, const MotionArguments& arguments, SweepJson&
         {{"library", one.who.library}, {"variant", one.who.variant}, {"set", work.set}, {"reason", one.reason}});
 }
 
-/// Of the first that moves: `cast_shape` from where it overlaps the other, beside `overlap` there.
+/// Measures, for the first that moves, `cast_shape` from where it overlaps the other, beside `overlap` there.
 SweepJson cast_in_contact(const SweepWork& work, int rounds) {
   const SweepQuestion& question = work.questions.front();
   const auto model_of = [](const auto& shape) { return Model(shape); };

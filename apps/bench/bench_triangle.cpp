@@ -12,8 +12,8 @@ namespace {
 /// One pair takes less time than a look at the clock, so times are of a batch, divided.
 constexpr std::size_t batch = 500;
 
-/// Of one of the families in which the tests compare triangle pairs. Triangles without area are left out: peers do not
-/// take them.
+/// Questions of one of the families in which the tests compare triangle pairs. Triangles without area are left out:
+/// peers do not take them.
 std::vector<TriangleQuestion> questions_of(const TriangleArguments& arguments) {
   Random random(arguments.seed);
   std::vector<TriangleQuestion> questions;

@@ -49,7 +49,7 @@ WorldTask world_task_of(const std::string& name) {
   return name == "ray" ? WorldTask::ray : name == "nearest" ? WorldTask::nearest : WorldTask::overlap;
 }
 
-/// Of 200 points of an ellipsoid.
+/// The hull of 200 points of an ellipsoid.
 Model hull_model(double size) {
   Random random(1);
   std::vector<Vec3> points;

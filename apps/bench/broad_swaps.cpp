@@ -53,7 +53,7 @@ double swaps_between(const std::vector<Aabb>& before, const std::vector<Aabb>& a
   return sum;
 }
 
-/// Of a frame of one crowd, in the mean.
+/// The cost of a frame of one crowd, in the mean.
 struct FrameCost {
   double swaps = 0;
   double sweep_ms = 0;

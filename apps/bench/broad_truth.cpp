@@ -19,7 +19,7 @@ Pairs by_brute_force(std::span<const Aabb> boxes, int threads) {
   return overlapping_pairs(boxes, {BroadPhaseMethod::brute_force, threads});
 }
 
-/// Of each chosen box with all, by their doubles, one after the other; ascending.
+/// The pairs of each chosen box with all, by their doubles, one after the other; ascending.
 Pairs with_all(std::span<const Index> chosen, std::span<const Aabb> boxes) {
   Pairs pairs;
   for (Index number = 0; number < boxes.size(); ++number)

@@ -17,9 +17,9 @@ struct BroadTruth {
   std::string how;
 };
 
-/// Of up to 20,000 boxes by brute force in each frame. Of more by the Morton tree, which is compared in the first frame
-/// with brute force: over all pairs of up to 200,000 boxes, of more over those of 2,000 boxes, chosen evenly by number,
-/// with all. Throws Error where they differ.
+/// The pairs of up to 20,000 boxes are found by brute force in each frame; those of more boxes by the Morton tree,
+/// which is compared in the first frame with brute force: over all pairs of up to 200,000 boxes, and for more over the
+/// pairs of 2,000 boxes, chosen evenly by number, with all. Throws Error where they differ.
 BroadTruth true_pairs(const BroadArguments& arguments);
 
 /// The right pairs of boxes, by the same method.

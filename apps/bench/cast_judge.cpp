@@ -43,7 +43,7 @@ class CastTruth {
         moving_(fine_set_of_cast_body(pair.moving, question.start)),
         standing_(fine_set_of_cast_body(pair.standing, question.standing)) {}
 
-  /// Of an interval, for what it says it is.
+  /// Whether an interval holds for what it says it is.
   [[nodiscard]] bool holds(const CastAnswer& ours) const {
     if (!ours.hit) return never_meet();
     if (!(ours.lower <= ours.upper && ours.upper <= 1)) return false;
@@ -51,7 +51,7 @@ class CastTruth {
     return !ours.certain || at(ours.upper).lower <= Fine(1e-20);
   }
 
-  /// Of a peer's number, where ours holds.
+  /// Whether a peer's number is near enough, where ours holds.
   [[nodiscard]] bool is_near(const CastAnswer& peer, const CastAnswer& ours) const {
     if (std::isnan(peer.upper)) return false;
     if (!peer.hit) return !ours.hit || !deep_at(0.5 * (ours.upper + end_of_meeting(ours)));

@@ -14,7 +14,7 @@ struct ConvexResult {
   double bytes_per_vertex = 0;
   std::size_t disagreements = 0;  ///< as of `Result`
   std::size_t wrong = 0;
-  /// Of a distance or a depth, also that of a quadric pair's manifold: the largest difference to Toccata's.
+  /// The largest difference to Toccata's distance or depth, also to that of a quadric pair's manifold.
   double worst_error = 0;
   std::vector<ConvexAnswer> answers{};
 };

@@ -66,7 +66,7 @@ class ConvexLibrary {
   [[nodiscard]] virtual Description description() const = 0;
   /// Takes shapes and poses over in the library's own types; not measured. Called once.
   virtual void prepare(const ConvexWork& work) = 0;
-  /// Of a hull, what it keeps for each vertex; 0 where that is not known, or there is no hull.
+  /// The bytes that it keeps for each vertex of a hull; 0 where that is not known, or there is no hull.
   [[nodiscard]] virtual double bytes_per_vertex() const { return 0; }
   /// Answers the questions from `first` on, a multiple of `convex_block`, one for each element of `answers`.
   virtual void answer(std::size_t first, std::span<ConvexAnswer> answers) = 0;

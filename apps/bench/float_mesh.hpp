@@ -11,7 +11,7 @@ namespace toccata::bench {
 /// The mesh with coordinates that floats hold.
 [[nodiscard]] TriangleMesh of_floats(const TriangleMesh& mesh);
 
-/// Of length 1, as likely in one direction as in any other.
+/// A vector of length 1, as likely in one direction as in any other.
 [[nodiscard]] Vec3 random_direction(Random& random);
 
 }  // namespace toccata::bench

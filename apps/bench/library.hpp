@@ -37,8 +37,8 @@ struct PosePair {
 
 using TrianglePairs = std::vector<std::pair<Index, Index>>;
 
-/// Of `overlap` the yes or no; of `contacts` also the triangles that meet, in any order; of `distance` the one pair
-/// that is told to be nearest.
+/// The answer to `overlap` is the yes or no; to `contacts` also the triangles that meet, in any order; to `distance`
+/// the one pair that is told to be nearest.
 struct Answer {
   bool overlap = false;
   TrianglePairs pairs;

@@ -34,9 +34,8 @@ enum class Clock {
 
 double seconds_of(const std::function<void()>& work, Clock clock = Clock::wall);
 
-/// Of each block of questions the time of one, in microseconds, in the fastest of the rounds. Each round asks all: a
-/// block again at once would be measured with branches that the processor has learnt. `ask(first, answers)` answers a
-/// block.
+/// The time of one question of each block, in microseconds, in the fastest of the rounds. Each round asks all: a block
+/// again at once would be measured with branches that the processor has learnt. `ask(first, answers)` answers a block.
 template <class Told, class Ask>
 std::vector<double> fastest_of_blocks(std::span<Told> answers, std::size_t block, int rounds, Clock clock,
                                       const Ask& ask) {

@@ -87,7 +87,7 @@ def of_places():
             yield cell(f"nearest point, {where}", column, "nearest", "--mesh", mesh, "--where", where)
 
 
-# Of each: what it shows, its cells, the peers that can answer, and the option that says how many questions.
+# For each map: what it shows, its cells, the peers that can answer, and the option that says how many questions.
 MAPS = {
     "mesh-sizes": ("Two meshes, B's size as a part of A's", of_mesh_sizes, "fcl,bullet,ode,embree", "--random", 200),
     "mesh-depths": ("Two meshes, the gap as a part of the smaller one (negative: so deep)", of_mesh_depths, "fcl,bullet,ode,embree", "--random", 200),

@@ -32,7 +32,7 @@ struct PointTrees {
   std::array<PointTree, 3> costs;
 };
 
-/// Of a wide tree, of a mesh: nodes on the longest way from the root to a triangle.
+/// The depth of a mesh's wide tree: nodes on the longest way from the root to a triangle.
 std::size_t depth_of(const WideBvh& tree) {
   std::vector<std::size_t> depths(tree.blocks.size(), 1);
   for (std::size_t i = 0; i < tree.blocks.size(); ++i)

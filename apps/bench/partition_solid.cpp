@@ -28,7 +28,7 @@ struct SolidRow {
   std::size_t wrong = 0;  ///< answers that differ
 };
 
-/// Of a trace; what is free has to be so.
+/// The row of a trace; what is free has to be so.
 struct TraceRow {
   std::string question;
   double us = 0;

@@ -31,7 +31,7 @@ struct Nearness {
 std::vector<PosePair> random_poses(const Model& a, const Model& b, std::size_t count, std::uint64_t seed,
                                    const Nearness& nearness, int threads);
 
-/// Of ways, as parts of the smaller diagonal.
+/// The lengths of ways, as parts of the smaller diagonal.
 struct WayShape {
   double motion = 0.01;
   double gap = 0;

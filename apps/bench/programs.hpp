@@ -9,8 +9,8 @@ struct ProcessRun {
   int exit_code = -1;  ///< −1: could not be started, or did not end by itself
   double seconds = 0;
   double processor_seconds = 0;  ///< of all its threads, and of the kernel for it
-  /// Of the kernel's count, in which a process starts with the peak of the one that started it. So an upper bound: this
-  /// program stays small.
+  /// By the kernel's count, in which a process starts with the peak of the one that started it. So it is an upper
+  /// bound: this program stays small.
   double peak_megabytes = 0;
 };
 

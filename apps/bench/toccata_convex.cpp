@@ -37,7 +37,7 @@ ConvexAnswer asked(ConvexTask task, const PosedPolytope& a, const PosedPolytope&
 template <class A, class B>
 concept OneIsAQuadric = std::is_same_v<A, PosedQuadric> || std::is_same_v<B, PosedQuadric>;
 
-/// Of shapes with round sides a manifold tells how deep it is too.
+/// A manifold of shapes with round sides tells how deep it is too.
 template <class A, class B>
 requires OneIsAQuadric<A, B> ConvexAnswer asked(ConvexTask task, const A& a, const B& b, SimplexCache*) {
   if (task == ConvexTask::overlap) return {overlap(a, b)};

@@ -44,7 +44,7 @@ std::string guid_of(const std::string& words) {
   return d.substr(0, 8) + "-" + d.substr(8, 4) + "-" + d.substr(12, 4) + "-" + d.substr(16, 4) + "-" + d.substr(20, 12);
 }
 
-/// Of now, or of what SOURCE_DATE_EPOCH says, so that a file can be made twice.
+/// The date of now, or of what SOURCE_DATE_EPOCH says, so that a file can be made twice.
 std::string date_text() {
   std::time_t seconds = std::time(nullptr);
   if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr && *fixed != '\0')

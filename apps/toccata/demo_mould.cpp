@@ -13,7 +13,7 @@ namespace toccata::command {
 
 namespace {
 
-/// Of an open mesh, as many scans are, the faces stand in the hole as surfaces; one inside out would fill it.
+/// The faces of an open mesh, as many scans are, stand in the hole as surfaces; a closed one inside out would fill it.
 void require_outside_out(const std::string& file, const TriangleMesh& mesh) {
   const MeshHealth health = inspect(mesh);
   if (health.closed && !(health.signed_volume > 0))

@@ -20,7 +20,7 @@ const std::vector<std::string>& known_keys() {
   return keys;
 }
 
-/// Of each word of the link; not of empty ones.
+/// The key of each word of the link; empty words have none.
 std::vector<std::string> keys_of(std::string_view look) {
   if (look.starts_with('#')) look.remove_prefix(1);
   std::vector<std::string> keys;

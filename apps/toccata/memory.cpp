@@ -29,7 +29,7 @@ double limit_in(const fs::path& file) {
   return std::ifstream(file) >> bytes ? bytes : no_limit;
 }
 
-/// Of the control groups that the process is in.
+/// The least memory limit of the control groups that the process is in.
 double limit_of_groups() {
   double least = limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes");
   std::ifstream groups("/proc/self/cgroup");

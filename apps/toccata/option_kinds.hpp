@@ -70,7 +70,7 @@ CLI::Option* add_glb(CLI::App& app, PosedArguments& arguments, const char* names
 /// Which axis points up.
 CLI::Option* add_up(CLI::App& app, PosedArguments& arguments);
 
-/// Of `look` and `size` where there is a picture.
+/// Adds `--png`, with `--size` and `--look` for the picture.
 void add_picture(CLI::App& app, PosedArguments& arguments);
 
 /// Poses and solids of what was written. Throws Error naming the option.

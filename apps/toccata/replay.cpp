@@ -56,7 +56,8 @@ std::string verdict(const Case& content, const std::string& difference) {
   return fmt::format("Another answer than recorded to {}, first at\n  {}\n", what, printable(difference));
 }
 
-/// Of an error, which is an answer too, the message. A report says that it is about the case.
+/// Prints what was answered; for an error, which is an answer too, its message. A report says that it is about the
+/// case.
 void print_replayed(const Case& content, const Replayed& now, const ReplayArguments& arguments) {
   if (!now.answer) return print_answer(now.json + "\n");
   PosedArguments asked;

@@ -74,7 +74,7 @@ SarifJson result_of(const Findings& findings, const ReportedPair& pair) {
   return result;
 }
 
-/// Of the baseline what is no longer found.
+/// The result for what is in the baseline and no longer found.
 SarifJson absent_result_of(const GonePair& gone) {
   const std::string text = fmt::format("{} and {}: {}", printable(gone.was.a), printable(gone.was.b),
                                        gone.reason == GoneReason::apart ? "no clash now" : "not looked at now");

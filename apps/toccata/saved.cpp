@@ -33,7 +33,8 @@ Scene part_of(const LoadedScene& loaded, std::size_t file) {
   return part;
 }
 
-/// Of the objects of each file, as they are asked about, and of their nodes where these are asked about too.
+/// What is saved of the objects of each file, as they are asked about, and of their nodes where these are asked about
+/// too.
 std::vector<AskedFile> files_of(const LoadedScene& loaded, const std::vector<std::string>& names,
                                 const SceneQuestion& question) {
   const bool has_nodes = std::holds_alternative<HierarchyQuestion>(question);

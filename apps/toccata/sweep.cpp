@@ -56,7 +56,7 @@ Pose pose_of_option(const char* option, const std::string& text) {
   }
 }
 
-/// Of a glTF file, which is in metres or in the unit that is given for all files, in the unit of the scene.
+/// The motion in a glTF file, which is in metres or in the unit that is given for all files, in the unit of the scene.
 FileMotion motion_of_file(const SweepArguments& arguments, const Scene& scene) {
   FileMotion motion = read_motion(arguments.motion, arguments.node);
   if (!motion.is_in_metres) return motion;

@@ -20,7 +20,7 @@
 namespace toccata::command {
 namespace {
 
-/// Of a name in XML what stands behind its prefix.
+/// The part of a name in XML that stands behind its prefix.
 std::string_view local_name(const char* name) {
   const std::string_view whole(name);
   const std::size_t colon = whole.find(':');

@@ -163,7 +163,8 @@ std::string difference_of(const Drawn& drawn, const SceneAnswer& answer) {
   return answer_difference(drawn.recorded, json_as_asked(drawn.input, drawn.question, answer));
 }
 
-/// Of poses the faces that meet are drawn, of many at the first ones alone: that keeps the page small.
+/// The faces that meet are drawn at each pose, and where they are many at the first poses alone: that keeps the page
+/// small.
 constexpr std::size_t most_face_pairs = 100'000;
 
 /// What is shown, in words: of one object alone nothing was asked that it could have with others.

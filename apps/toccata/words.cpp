@@ -28,7 +28,7 @@ std::string distance_text(const Distance& distance) {
   if (distance.status == Status::undecided) return "meet, or nearly: undecided";
   if (distance.upper == 0) return "meet";
   const std::string upper = fmt::format("{:.12g}", distance.upper), lower = fmt::format("{:.12g}", distance.lower);
-  // Of an interval that is as narrow as is promised, rounding to twelve digits may still tell two ends.
+  // Rounding to twelve digits may still tell two ends of an interval that is as narrow as is promised.
   return (distance.status == Status::exact || lower == upper ? upper : lower + " to " + upper) + " apart";
 }
 

@@ -25,7 +25,7 @@ std::string depth_text(const Penetration& penetration);
 /// The same, with why its bracket is wider than asked, where it is.
 std::string depth_text(const Penetration& penetration, DepthEnd end);
 
-/// Of a pair that a winding number decided, in place of what both are taken for.
+/// What is said of a pair that a winding number decided, in place of what both are taken for.
 std::string winding_text(const WindingNumber& winding);
 
 /// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.

@@ -1,8 +1,8 @@
 #pragma once
 
 // The methods by themselves, for who compares or teaches them: pairs of posed shapes, bounds, trees, partitions, broad
-// phases, convex parts, subdivision surfaces, costs, scenes in one tree, and generated meshes. Of what toccata.hpp
-// leaves out, all but reports.hpp.
+// phases, convex parts, subdivision surfaces, costs, scenes in one tree, and generated meshes. This is all that
+// toccata.hpp leaves out but reports.hpp.
 
 #include "toccata/bounds/all_volumes.hpp"
 #include "toccata/bounds/volume.hpp"

@@ -11,8 +11,8 @@
 // The bounds of volume.hpp for two boxes that may have no end, by a handful of operations. No coordinate is NaN.
 namespace toccata {
 
-/// Of a vector of non-negative lengths, +∞ among them: what arithmetic without least and greatest numbers makes of it,
-/// so that it never shrinks where one of them grows. At most the greatest double.
+/// The length of a vector of non-negative lengths, +∞ among them: what arithmetic without least and greatest numbers
+/// makes of it, so that it never shrinks where one of them grows. At most the greatest double.
 inline double monotone_length(const Vec3& v) {
   constexpr double most = std::numeric_limits<double>::max();
   const auto root = [](const Vec3& w) { return std::sqrt((w.x * w.x + w.y * w.y) + w.z * w.z); };

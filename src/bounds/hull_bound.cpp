@@ -20,7 +20,7 @@ std::vector<Vec3> vertices_of(const ConvexHull& hull) {
 /// No gap, or one less the margins.
 double less_margins(double distance, double margins) { return rounded_down(distance - rounded_up(margins)); }
 
-/// From the vector areas of the faces, which are convex polygons, and the cones over them.
+/// Measured from the vector areas of the faces, which are convex polygons, and the cones over them.
 struct HullMeasure {
   double volume = 0;
   double area = 0;

@@ -80,7 +80,7 @@ constexpr std::size_t code_of(const Vec3& normal) {
   return static_cast<std::size_t>((normal.x + 1) * 9 + (normal.y + 1) * 3 + (normal.z + 1));
 }
 
-/// Of every normal, the number of its slab.
+/// The number of the slab of every normal, by its code.
 template <std::size_t k>
 constexpr std::array<std::size_t, 27> slab_numbers() {
   std::array<std::size_t, 27> numbers{};
@@ -93,7 +93,7 @@ constexpr std::array<std::size_t, 27> slab_numbers() {
 template <std::size_t k>
 double offset_of(const Kdop<k>& v, const Vec3& normal) {
   static constexpr auto numbers = slab_numbers<k>();
-  // Of a normal and its opposite the one with the greater code is listed: its first component but zeros is 1.
+  // The list has one of a normal and its opposite, that with the greater code: its first component other than 0 is 1.
   const std::size_t code = code_of(normal), slab = numbers[code];
   return code > 13 ? v.upper[slab] : -v.lower[slab];
 }

@@ -18,7 +18,8 @@ struct PolytopeMeasure {
   double area = 0;
 };
 
-/// Of the polytope within the planes, rounded. It contains the origin and reaches about 1 from it.
+/// The volume and the area of the polytope within the planes, rounded. It contains the origin and reaches about 1 from
+/// it.
 [[nodiscard]] PolytopeMeasure measure_within(std::span<const PlaneBound> planes);
 
 /// The corners of such a polytope, each once, beyond no plane by more than about 1e-12. One that is flat has corners

@@ -39,7 +39,8 @@ double gap_along(const A& a, const B& b, const Vec3& direction) {
   return parted > 0 ? rounded_down(parted / length_bound(direction)) : 0;
 }
 
-/// From the box of a to that of b, along every axis: where the boxes are apart, the direction of their nearest points.
+/// The way from the box of a to that of b, along every axis: where the boxes are apart, the direction of their nearest
+/// points.
 inline Vec3 between(const Aabb& a, const Aabb& b) {
   Vec3 way;
   for (int axis = 0; axis < 3; ++axis)

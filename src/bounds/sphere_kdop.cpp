@@ -66,7 +66,7 @@ struct ExactHeights {
   static WideInteger times(int factor, const WideInteger& value) { return factor * value; }
 };
 
-/// Of G, and its determinant; rows beyond `count` are not used.
+/// The adjugate of G, and the determinant of G; rows beyond `count` are not used.
 struct Adjugate {
   std::array<std::array<int, 3>, 3> of{};
   int determinant = 1;

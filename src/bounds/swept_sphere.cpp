@@ -57,7 +57,7 @@ SweptSphere<dimension> around(const Mat3& axes, const Vec3& near, std::span<cons
   }
   const Vec3 reach = 0.5 * (along.upper - along.lower);
   SweptSphere<dimension> best;
-  // By how much of the thickness the core is shorter than the balls' centres reach.
+  // The share of the thickness by which the core is shorter than the balls' centres reach.
   for (const double shorter : {0.0, 0.5, 0.75, 1.0}) {
     SweptSphere<dimension> next{point_in_frame(axes, near, centre_of(along)), axes, {}, 0};
     double thickness = 0;

@@ -42,7 +42,7 @@ bool do_overlap(const Bound& a, const Bound& b) {
   return bounds_overlap(a, b);
 }
 
-/// Without those that do not overlap themselves.
+/// The pairs without those that do not overlap themselves.
 template <class Bound>
 std::vector<IndexPair> cleaned(std::vector<IndexPair> pairs, std::span<const Bound> bounds) {
   std::erase_if(pairs, [&](const IndexPair& pair) { return !do_overlap(bounds[pair.first], bounds[pair.second]); });

@@ -38,7 +38,7 @@ struct PairWriter {
   }
 };
 
-/// Of the lanes in `bits`, those whose boxes overlap in doubles.
+/// Those of the lanes in `bits` whose boxes overlap in doubles.
 inline std::uint32_t overlapping_lanes(const LaidOut& laid, Index number, const Index* numbers, std::uint32_t bits) {
   std::uint32_t found = 0;
   for (std::uint32_t rest = bits; rest != 0; rest &= rest - 1) {

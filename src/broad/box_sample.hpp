@@ -14,7 +14,8 @@ class BoxSample {
  public:
   explicit BoxSample(std::span<const Aabb> boxes);
 
-  /// Of numbers in order, that of rank one in a hundred, of 95 in a hundred, and the last. 0 of none.
+  /// From numbers in order: that of rank one in a hundred, the median, that of 95 in a hundred, and the last; 0 if
+  /// there are none.
   struct Spread {
     double low = 0, median = 0, high = 0, most = 0;
   };
@@ -23,7 +24,7 @@ class BoxSample {
   [[nodiscard]] const Spread& places(std::size_t axis) const { return places_[axis]; }
   /// A quarter of the lengths along an axis, of which `high` is 95 in a hundred.
   [[nodiscard]] const Spread& sizes(std::size_t axis) const { return sizes_[axis]; }
-  /// Around what of the sample is finite.
+  /// The box around what is finite of the sample.
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -37,10 +38,10 @@ class BoxSample {
 struct BoxDensity {
   BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes);
 
-  /// Of two boxes, how likely one is met in a sweep along the best axis from the other.
+  /// How likely it is that, of two boxes, one is met in a sweep along the best axis from the other.
   double swept = 0;
-  /// Of two boxes, how likely one is looked at in a grid from the other; what is larger than cells is counted by what
-  /// it costs.
+  /// How likely it is that, of two boxes, one is looked at in a grid from the other; what is larger than cells is
+  /// counted by what it costs.
   double near = 0;
   bool heaped = false;  ///< far from evenly spread
 };

@@ -207,7 +207,7 @@ class BroadPhase::State {
     if (!in_use(number)) throw Error(fmt::format("box {} is not in use: it was removed, or never added", number));
   }
 
-  /// As vectors grow: to the exact size would copy all with every call.
+  /// Makes room as vectors grow: growing to the exact size would copy all with every call.
   template <class List>
   static void make_room(List& list, std::size_t size) {
     if (size > list.capacity()) list.reserve(std::max(size, list.capacity() + list.capacity() / 2));

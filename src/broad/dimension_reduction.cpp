@@ -193,7 +193,8 @@ class DimensionReduction final : public PairFinder {
       });
   }
 
-  /// Of a plane: the sweep goes along its first axis, and the second is compared. The planes are xy and yz.
+  /// Whether two that a plane's sweep has met are found: the sweep goes along its first axis, and the second is
+  /// compared. The planes are xy and yz.
   [[nodiscard]] bool is_found(std::span<const Aabb> boxes, std::size_t axis, Index one, Index other) const {
     if (to_ == To::intervals) return true;
     const double Vec3::*second = vec3_coordinates[axis + 1];

@@ -95,7 +95,7 @@ class EnlargedBoxBvh {
   }
 
  private:
-  /// Of a leaf `right` is none and `left` the number of its box.
+  /// A node. In a leaf `right` is none and `left` is the number of its box.
   struct Node {
     Aabb box;
     Index parent = no_index, left = no_index, right = no_index;

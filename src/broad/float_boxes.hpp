@@ -49,7 +49,7 @@ struct FlatBox {
           number};
 }
 
-/// Around all finite coordinates of boxes that are not empty.
+/// The box around all finite coordinates of boxes that are not empty.
 [[nodiscard]] Aabb finite_bounds(std::span<const Aabb> boxes);
 
 /// Where columns of boxes lie. Some vectors' worth may be read behind the last.

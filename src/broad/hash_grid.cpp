@@ -49,7 +49,7 @@ double longest_side(const Aabb& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Of a power of two above this; for 0 one below all.
+/// The exponent of a power of two above this; for 0 one below all.
 int exponent_above(double size) { return size > 0 ? std::ilogb(size) + 1 : -1080; }
 
 /// Each box is entered, by key, into every cell that it reaches into; boxes of equal key are compared. Different cells
@@ -85,7 +85,7 @@ class HashGrid final : public PairFinder {
     return sum;
   }
 
-  /// Those that some box is native to: where there are only visitors, nothing is compared.
+  /// The cells that some box is native to: where there are only visitors, nothing is compared.
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
     std::vector<std::set<CellPlace>> places(grids_.size());
     for (std::size_t number = 0; number < boxes.size(); ++number) {
@@ -183,7 +183,7 @@ class HashGrid final : public PairFinder {
     entries_.push_back({key << 1 | is_visitor, number});
   }
 
-  /// Those runs of equal keys that begin between `begin` and `end`. Natives come first.
+  /// Compares those runs of equal keys that begin between `begin` and `end`. Natives come first.
   void compare_equal_keys(std::span<const Aabb> boxes, std::size_t begin, std::size_t end, PairBuffer& pairs) const {
     const auto key_at = [&](std::size_t i) { return entries_[i].key >> 1; };
     while (begin > 0 && begin < end && key_at(begin) == key_at(begin - 1)) ++begin;

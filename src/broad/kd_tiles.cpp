@@ -168,7 +168,7 @@ class TileWalker {
 /// Walkers that are lent out, so that there are no more than threads. Which walker found a pair does not show.
 class WalkerPool {
  public:
-  /// Of all walkers, those to come included.
+  /// Clears all walkers, those to come included.
   void clear(const PairFilter* wanted) {
     wanted_ = wanted;
     for (const auto& walker : walkers_) walker->clear(wanted);

@@ -23,7 +23,7 @@ struct Keyed {
   std::uint32_t place;
 };
 
-/// By key, and those of equal keys as they were; digit by digit. `scratch` is overwritten.
+/// Sorts by key, digit by digit, and leaves those of equal keys in their order. `scratch` is overwritten.
 template <std::unsigned_integral Key>
 void sort_by_key(std::vector<Keyed<Key>>& keyed, std::vector<Keyed<Key>>& scratch) {
   constexpr int digit_bits = 11;

@@ -44,7 +44,7 @@ class LooseOctree final : public PairFinder {
     return sum;
   }
 
-  /// Those of the nodes that exist; they reach half as far again to each side.
+  /// The cells of the nodes that exist; they reach half as far again to each side.
   [[nodiscard]] BroadPhaseCells cells(std::span<const Aabb> boxes) const override {
     std::set<std::pair<int, CellPlace>> nodes;
     for (const auto& entry : entries_) {
@@ -66,7 +66,7 @@ class LooseOctree final : public PairFinder {
   static constexpr int most_levels = 64;
   static constexpr std::uint8_t not_in_tree = 255;
 
-  /// Where those of a key are among the entries. Of an empty slot both are 0.
+  /// Where those of a key are among the entries. Both are 0 in an empty slot.
   struct Node {
     std::uint64_t key = 0;
     std::uint32_t begin = 0, end = 0;

@@ -84,8 +84,8 @@ class OwnBounds {
     std::uint8_t changed;                 ///< the mark of those that differ from the last update's
     int threads = own_thread;
   };
-  /// Of the pairs of boxes, which it keeps, those that overlap themselves, in the memory of `storage`. Pairs of two
-  /// that have not changed are asked of those before.
+  /// Those pairs of boxes that overlap themselves, in the memory of `storage`; it keeps `box_pairs`. Pairs of two that
+  /// have not changed are looked up among those before.
   [[nodiscard]] PairList cleaned(PairList box_pairs, std::span<const IndexPair> before, const Seen& seen,
                                  PairList storage);
 

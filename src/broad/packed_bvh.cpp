@@ -60,7 +60,7 @@ void end_with_nothing(ColumnStore& store, std::size_t size) {
   for (std::size_t i = size; i < size + node_width; ++i) store.put(i, nothing);
 }
 
-/// Around those from `first` on; behind the last there are such that count for nothing.
+/// The box around the sixteen from `first` on; behind the last there are such that count for nothing.
 FlatBox around_sixteen(const BoxColumns& columns, std::size_t first) {
   FlatBox around = nothing;
   for (std::size_t axis = 0; axis < 3; ++axis)

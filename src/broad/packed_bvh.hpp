@@ -45,7 +45,7 @@ class PackedBvh {
     });
   }
   [[nodiscard]] std::size_t size() const { return levels_.empty() ? 0 : levels_.front().size; }
-  /// Of the box that was put in this place.
+  /// The number of the box that was put in this place.
   [[nodiscard]] Index number(std::size_t place) const { return levels_.front().store.number(place); }
 
   /// The pairs of boxes in places from `begin` to `end` with those behind them. `all` are the boxes by number.

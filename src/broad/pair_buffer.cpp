@@ -68,7 +68,8 @@ class PairSort {
       }
   }
 
-  /// By the upper bits of the lesser numbers by counting, so that few are in one bucket, and insertion does the rest.
+  /// Sorts by counting the upper bits of the lesser numbers, so that few are in one bucket, and insertion does the
+  /// rest.
   void sort_range(std::size_t range, PairList& sorted) const {
     const std::span<IndexPair> pairs = std::span(sorted).subspan(starts_[range], starts_[range + 1] - starts_[range]);
     if (pairs.size() <= few) return sort_few(pairs);

@@ -117,8 +117,8 @@ void resize_for_overwrite(std::vector<Item>& list, std::size_t size) {
 [[nodiscard]] PairList sorted_pairs(std::span<const PairBuffer> buffers, std::size_t count, int threads,
                                     PairList storage);
 
-/// Of the pairs before, those that stay, and the new ones between them, ascending, in the memory of `storage`. What is
-/// new does not stay from before.
+/// The pairs before that stay, and the new ones between them, ascending, in the memory of `storage`. A new pair is none
+/// that stays from before.
 template <class Stays>
 [[nodiscard]] PairList with_new_pairs(std::span<const IndexPair> before, std::span<const IndexPair> added,
                                       PairList storage, const Stays& stays) {

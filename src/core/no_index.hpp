@@ -6,7 +6,7 @@
 
 namespace toccata {
 
-/// Of nothing.
+/// The number that stands for nothing.
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 }  // namespace toccata

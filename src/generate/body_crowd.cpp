@@ -176,7 +176,7 @@ void BodyCrowd::add_ground(std::string_view scene) {
 
 void BodyCrowd::add_stacks(std::size_t count, Random& random) {
   constexpr std::size_t high = 8;
-  // Of every ten bodies eight are a stack, beside a lane in which the others roll.
+  // Eight of every ten bodies are a stack, beside a lane in which the others roll.
   const std::size_t stacks = count / 10;
   const auto per_row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(stacks + 1))));
   for (std::size_t stack = 0; stack < stacks; ++stack) {

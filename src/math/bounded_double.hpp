@@ -33,7 +33,7 @@ inline BoundedDouble operator*(const BoundedDouble& a, const BoundedDouble& b) {
   return {product, propagated + (0x1p-53 * std::fabs(product) + BoundedNumber::underflow)};
 }
 
-/// Not certain (an infinite bound) unless the divisor's sign is.
+/// The quotient is not certain (an infinite bound) unless the divisor's sign is.
 inline BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
   if (!(b.is_positive() || b.is_negative())) return {0, HUGE_VAL};
   const double quotient = a.value / b.value;
@@ -42,7 +42,7 @@ inline BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
   return {quotient, 2 * (propagated / std::fabs(b.value)) + (0x1p-53 * std::fabs(quotient) + BoundedNumber::underflow)};
 }
 
-/// Not certain unless the number is certainly positive.
+/// The root is not certain unless the number is certainly positive.
 inline BoundedDouble square_root(const BoundedDouble& a) {
   if (!a.is_positive()) return {0, HUGE_VAL};
   const double root = std::sqrt(a.value);

@@ -48,7 +48,7 @@ inline BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
   return {product, 1.5 * propagated + (double_word_bound * std::fabs(product.high) + BoundedNumber::underflow)};
 }
 
-/// Not certain (an infinite bound) unless the divisor's sign is.
+/// The quotient is not certain (an infinite bound) unless the divisor's sign is.
 inline BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b) {
   if (!(b.is_positive() || b.is_negative())) return {{0, 0}, HUGE_VAL};
   const DoubleWord quotient = a.value / b.value;
@@ -58,7 +58,8 @@ inline BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b) {
                         (2 * double_word_bound * std::fabs(quotient.high) + BoundedNumber::underflow)};
 }
 
-/// By a step of Newton's from the root of the high part. Not certain unless the number is certainly positive.
+/// The square root, by a step of Newton's method from the root of the high part. Not certain unless the number is
+/// certainly positive.
 inline BoundedNumber square_root(const BoundedNumber& a) {
   if (!a.is_positive()) return {{0, 0}, HUGE_VAL};
   const double root = std::sqrt(a.value.high);

@@ -6,8 +6,8 @@
 
 namespace toccata {
 
-/// From the middle of a cube to its corners and to the middles of its edges and sides, and zero between them: −1, 0 or
-/// 1 in each coordinate, x first.
+/// The directions from the middle of a cube to its corners and to the middles of its edges and sides, and zero between
+/// them: −1, 0 or 1 in each coordinate, x first.
 inline constexpr std::array<Vec3, 27> cube_directions = [] {
   std::array<Vec3, 27> directions{};
   auto* direction = directions.data();

@@ -50,7 +50,7 @@ struct RationalPoint {
 [[nodiscard]] Rational dot(const RationalPoint& a, const RationalPoint& b);
 [[nodiscard]] RationalPoint cross(const RationalPoint& a, const RationalPoint& b);
 
-/// As for Vec3: axis 0 → (y, z), 1 → (z, x), 2 → (x, y).
+/// The same as for Vec3: axis 0 → (y, z), 1 → (z, x), 2 → (x, y).
 [[nodiscard]] RationalPoint2 drop_axis(const RationalPoint& p, int axis);
 
 /// The signs of predicates.hpp, for rational points.

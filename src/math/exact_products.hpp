@@ -34,7 +34,7 @@ struct LongRoot {
   double inverse;
 };
 
-/// By a step of Newton's: off by less than 2^-104 of it.
+/// The root by a step of Newton's method: off by less than 2^-104 of it.
 HWY_INLINE LongRoot long_root(const TwoPart& square) {
   const double root = std::sqrt(square.high), inverse = 1 / root;
   const TwoPart back = exact_product(root, root);

@@ -36,7 +36,7 @@ template <class V>
 using NumberOf = typename V::Number;
 template <class V>
 using MaskOf = typename V::Mask;
-/// Of what is made of such numbers.
+/// The tag of the lanes that such numbers are in.
 template <class N>
 using TagOf = hn::DFromV<N>;
 
@@ -70,7 +70,7 @@ HWY_INLINE LaneVector<T> in_all(T floats, const std::array<float, 3>& v) {
   return {hn::Set(floats, v[0]), hn::Set(floats, v[1]), hn::Set(floats, v[2])};
 }
 
-/// Of each lane whether something holds, the first in bit 0; at most sixteen.
+/// The bits of a mask, which say for each lane whether something holds: the first lane in bit 0; at most sixteen.
 template <class T>
 HWY_INLINE unsigned bits_of(T lanes, const hn::Mask<T>& mask) {
   std::uint8_t bytes[8] = {};

@@ -6,10 +6,10 @@
 // Neighbouring doubles of positive ones: what std::nextafter finds, without its call.
 namespace toccata {
 
-/// Of a positive one that is not infinite.
+/// The double above a positive one that is not infinite.
 inline double next_above(double positive) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) + 1); }
 
-/// Of a positive one.
+/// The double below a positive one.
 inline double next_below(double positive) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(positive) - 1); }
 
 }  // namespace toccata

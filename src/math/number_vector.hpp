@@ -12,7 +12,7 @@ namespace toccata {
 template <class Number>
 using VectorOf = std::array<Number, 3>;
 
-/// Of about 106 bits.
+/// A vector of numbers of about 106 bits.
 using FineVector = VectorOf<DoubleWord>;
 
 template <class Number>

@@ -31,8 +31,8 @@ IntegerColumn cross(const IntegerColumn& a, const IntegerColumn& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Of a matrix with a determinant other than 0: its rows are the cross products of the columns over the determinant, in
-/// whole multiples of a power of two.
+/// The inverse of a matrix with a determinant other than 0: its rows are the cross products of the columns over the
+/// determinant, in whole multiples of a power of two.
 Mat3 exact_inverse(const Mat3& m) {
   int exponent = 2000;
   for (const Vec3& row : m.row)

@@ -12,7 +12,7 @@ namespace {
 // Convergence is quadratic; six rounds reach the last place from any start, the others cost little.
 constexpr int rounds = 8;
 
-/// Of length 1, or zero where there is no direction.
+/// The vector scaled to length 1, or zero where there is no direction.
 Vec3 normalised(const Vec3& v) {
   const double size = largest_magnitude(v);
   if (!(size > 0) || !std::isfinite(size)) return {};

@@ -29,7 +29,8 @@ double cosine_of_small(double x) {
   return main + (((1 - main) - half) + y * sum);
 }
 
-/// Of the angle `rest`, at most an eighth of a turn, beyond `quarter` quarter turns; a whole turn is `unit`.
+/// The sine and the cosine of the angle `rest`, at most an eighth of a turn, beyond `quarter` quarter turns; a whole
+/// turn is `unit`.
 SineCosine turned(double rest, double unit, int quarter) {
   const double x = rest * (2 * pi / unit);
   SineCosine result{sine_of_small(x), cosine_of_small(x)};

@@ -42,7 +42,7 @@ struct IntegerVector {
 /// each is off by at most 2^-53 of itself or by 2^-1074. Not for the zero vector.
 [[nodiscard]] Vec3 rounded_direction(const IntegerVector& v);
 
-/// As for Integer (math/exact.hpp).
+/// The same as for Integer (math/exact.hpp).
 [[nodiscard]] double nearest_double(const WideInteger& numerator, const WideInteger& denominator, int exponent);
 
 }  // namespace toccata

@@ -12,7 +12,7 @@ struct Approach {
 };
 
 /// For finite coordinates and a positive, finite separation. The same bits for every order of corners, ends and edges.
-/// Of an approach whose `lower` is later than `latest` it may be told that there is none, which takes less time.
+/// Where `lower` would be later than `latest`, it may be answered that there is no approach, which takes less time.
 [[nodiscard]] Approach time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest = 1);
 [[nodiscard]] Approach time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest = 1);
 

@@ -14,7 +14,8 @@ namespace toccata {
 /// whether more is wanted.
 using SeeCandidates = FunctionRef<bool(std::size_t thread, std::span<const ItemPair>)>;
 
-/// On how many threads the candidates are looked for, and who is told how much of the trees has been walked.
+/// The number of threads on which the candidates are looked for, and whom to call with how much of the trees has been
+/// walked.
 struct CandidateWork {
   int threads;
   const Progress& progress;

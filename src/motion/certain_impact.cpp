@@ -77,7 +77,7 @@ struct CubicHalves {
   BernsteinCubic second;
 };
 
-/// By de Casteljau's means.
+/// Both halves of the cubic, by de Casteljau's means.
 CubicHalves halves_of(const BernsteinCubic& c) {
   const auto mean = [](double a, double b) { return 0.5 * (a + b); };
   const double early = mean(c.b[0], c.b[1]), middle = mean(c.b[1], c.b[2]), late = mean(c.b[2], c.b[3]);
@@ -127,7 +127,7 @@ struct TimePart {
   [[nodiscard]] double at(double fraction) const { return std::ldexp(index + fraction, -depth); }
 };
 
-/// At any time that t stands for.
+/// The corner at any time that t stands for.
 BoundedVector at_time(const MovingCorner& c, const BoundedNumber& t) {
   const BoundedVector start = bounded_difference(c.head->start, c.tail->start);
   const BoundedVector end = bounded_difference(c.head->end, c.tail->end);
@@ -277,7 +277,7 @@ Sign CertainContact<Count>::volume_sign(const BoundedNumber& t) const {
   return volume.is_positive() ? Sign::positive : volume.is_negative() ? Sign::negative : Sign::zero;
 }
 
-/// By numbers in doubles, which allow for the whole cell, and else by longer ones nearer to the root.
+/// Decides by numbers in doubles, which allow for the whole cell, and else by longer ones nearer to the root.
 template <std::size_t Count>
 Found CertainContact<Count>::inside_at_root(const RootPlace& cell, double guess, double slope) const {
   std::array<VectorOf<BoundedDouble>, Count> q;

@@ -62,7 +62,7 @@ template <class A, class B>
   return (low_b - high_a) - 2 * unit_roundoff * (std::fabs(low_b) + std::fabs(high_a));
 }
 
-/// Of a half-space the direction is its own, whatever is given; where its normal has no length of doubles, nothing is
+/// For a half-space the direction is its own, whatever is given; where its normal has no length of doubles, nothing is
 /// certain. The height of its point passes four roundings.
 template <class A>
 [[nodiscard]] double separation_along(const PlacedSet<A>& a, const PlacedSet<PosedHalfSpace>& b, const Vec3&) {
@@ -85,7 +85,7 @@ template <class B>
   return end;
 }
 
-/// From A to B, of length 1 or zero. What is kept saves time.
+/// A direction from A to B, of length 1 or zero. What is kept saves time.
 [[nodiscard]] inline Vec3 separating_direction(const PlacedSet<PosedPolytope>& a, const PlacedSet<PosedPolytope>& b,
                                                VertexPairs& kept) {
   const GjkEnd end = nearest_pairs(a, b, kept);
@@ -138,7 +138,8 @@ template <class A, class B>
   return end.inside || !is_finite(point) ? distance(a.set, b.set).on_b : point;
 }
 
-/// They certainly have a point in common; of a quadric what is undecided is not. What is kept saves time.
+/// Whether they certainly have a point in common; what is undecided of a quadric is not certain. What is kept saves
+/// time.
 template <class A, class B>
 [[nodiscard]] bool certainly_overlap(const A& a, const B& b, SimplexCache& kept) {
   if constexpr (std::same_as<A, PosedQuadric> || std::same_as<B, PosedQuadric>)

@@ -41,7 +41,7 @@ class ConvexPairInTime final : public MovingPair {
     const Placing& at = placed(time);
     if (stop_before_ > 2 * pad_)
       return distance_of(at.a->set, at.b->set).upper <= (stop_before_ - pad_) * (1 - 0x1p-40);
-    // Of depths that are asked for the corners that are less far find a meeting sooner.
+    // Where a depth is asked for, the corners that are less far find a meeting sooner.
     if (stop_before_ < 0) return overlap_by(at.a->set, at.b->set, pad_ - stop_before_, octahedron_corners);
     return overlap_by(at.a->set, at.b->set, pad_, tetrahedron_corners);
   }

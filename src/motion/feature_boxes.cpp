@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t vertices_boxed_at_once = 4096;
 
-/// By half the separation on every side, and no less.
+/// The box grown by half the separation on every side, and no less.
 Aabb grown_by_half(Aabb box, double separation) {
   if (separation == 0) return box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -38,9 +38,9 @@ inline bool boxes_are_apart(const FloatBox& a, const FloatBox& b) {
   return (halves[0] | halves[1]) != 0;
 }
 
-/// Around where a point is at a time, a multiple of a cell: 1 − time is exact then, so that two products and a sum are
-/// off by less than 3 u of the greater magnitude; the box is wider by 8 u, which its own rounding takes one of. At the
-/// time 0 it is the point.
+/// The box around where a point is at a time, a multiple of a cell: 1 − time is exact then, so that two products and a
+/// sum are off by less than 3 u of the greater magnitude; the box is wider by 8 u, which its own rounding takes one of.
+/// At the time 0 it is the point.
 [[nodiscard]] inline Aabb moment_box(const MovingPoint& point, double time) {
   if (time == 0) return {point.start, point.start};
   Aabb box;

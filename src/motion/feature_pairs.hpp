@@ -53,7 +53,7 @@ struct BoxedTriangle {
   [[nodiscard]] FloatBox edge_box_at_start(std::size_t i) const { return around(box[i]->start, box[next(i)]->start); }
   static std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
-  /// Around where it is at a time, a multiple of a cell.
+  /// The box around where it is at a time, a multiple of a cell.
   [[nodiscard]] Aabb box_at(double time) const {
     return merge(merge(moment_box(way(0), time), moment_box(way(1), time)), moment_box(way(2), time));
   }
@@ -183,7 +183,7 @@ class FeaturePairs {
     });
   }
 
-  /// Of two meshes, that of the first comes first; of one, the lesser.
+  /// Shows two features in order: of two meshes, that of the first comes first; of one mesh, the lesser.
   template <bool turned, class See>
   bool in_order(const MeshFeature& a, const MeshFeature& b, const See& see) const {
     return (question_.is_within_one ? b < a : turned) ? see(b, a) : see(a, b);

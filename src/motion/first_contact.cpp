@@ -157,7 +157,7 @@ class ContactAdvance {
     return is_deep && pair_.surely_meet(time);
   }
 
-  /// By how much the gap was last seen to close in a unit of time, in what step, and how fast that may change.
+  /// How much the gap last closed in a unit of time, in what step, and how fast that may change.
   struct Closing {
     double step = 0;
     double closing = 0;

@@ -11,18 +11,18 @@ namespace toccata {
 /// Two convex sets that move, as the search for their first contact sees them.
 class MovingPair {
  public:
-  /// Of length 1, from the first to the second: along it they seem to be farthest apart at the time. Zero where they
-  /// seem to meet. A guess.
+  /// A direction of length 1, from the first to the second: along it they seem to be farthest apart at the time. Zero
+  /// where they seem to meet. A guess.
   [[nodiscard]] virtual Vec3 direction(double time) = 0;
 
   /// So far they are certainly apart along the direction then; negative where they are not, and NaN where nothing is
-  /// certain. Of a half-space its normal is the direction, whatever is given.
+  /// certain. For a half-space its normal is the direction, whatever is given.
   [[nodiscard]] virtual double separation(double time, const Vec3& direction) = 0;
 
   /// A separation along a direction that is shorter than 1 tells of no more than one along a direction of length 1.
   [[nodiscard]] virtual bool may_turn() const = 0;
 
-  /// They certainly have a point in common then. False says nothing.
+  /// Whether they certainly have a point in common then. False says nothing.
   [[nodiscard]] virtual bool surely_meet(double time) = 0;
 
  protected:

@@ -14,8 +14,9 @@
 namespace toccata {
 namespace {
 
-/// How much of `way` leads along the direction, and no less; not negative. Of a difference, a product and two sums the
-/// dot product is off by at most 2^-50 of its magnitudes, as in separating_direction.hpp. Infinite where it overflows.
+/// How much of `way` leads along the direction, and no less; not negative. The dot product, with a difference, a
+/// product and two sums, is off by at most 2^-50 of its magnitudes, as in separating_direction.hpp. Infinite where it
+/// overflows.
 double most_along(const Vec3& direction, const Vec3& way) {
   if (!is_finite(way)) return HUGE_VAL;
   const double size = dot(magnitudes(direction), magnitudes(way)) + filter::floor;

@@ -150,8 +150,8 @@ IntegerPolynomial primitive(IntegerPolynomial a) {
   return a;
 }
 
-/// By subresultants: every remainder is divided by a number that certainly divides it (W. S. Brown, J. F. Traub, "On
-/// Euclid's algorithm and the theory of subresultants", 1971).
+/// The common divisor by subresultants: every remainder is divided by a number that certainly divides it (W. S. Brown,
+/// J. F. Traub, "On Euclid's algorithm and the theory of subresultants", 1971).
 IntegerPolynomial common_divisor(const IntegerPolynomial& a, const IntegerPolynomial& b) {
   const bool is_ordered = a.size() >= b.size();
   IntegerPolynomial large = is_ordered ? a : b, small = is_ordered ? b : a;

@@ -9,7 +9,7 @@
 // Polynomials in the time with integers as coefficients, and their real roots in [0, 1]: exact, without limits of size.
 namespace toccata {
 
-/// Of degree five at most, which the volume (3), a side of it (4) and their divisors stay below.
+/// A polynomial of degree five at most, which the volume (3), a side of it (4) and their divisors stay below.
 class IntegerPolynomial {
  public:
   static constexpr std::size_t capacity = 6;

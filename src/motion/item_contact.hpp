@@ -12,7 +12,7 @@ namespace toccata {
                                                        Index item_b, const TimeStretch& stretch,
                                                        const GapBounds& bounds, double stop_before);
 
-/// Of the second item the point that is nearest to the first at a time, nearly; one of both where they overlap.
+/// The point of the second item that is nearest to the first at a time, nearly; a point of both where they overlap.
 [[nodiscard]] Vec3 item_point_on_b(const MovingPart& a, Index item_a, const MovingPart& b, Index item_b, double time);
 
 }  // namespace toccata

@@ -15,7 +15,7 @@ struct PlacedEdge {
   friend constexpr auto operator<=>(const PlacedEdge&, const PlacedEdge&) = default;
 };
 
-/// By their ends, and of one edge that of the first triangle first.
+/// The triangles' edges sorted by their ends, and for one edge that of the first triangle first.
 std::vector<PlacedEdge> sorted_triangle_edges(std::span<const std::array<Index, 3>> triangles) {
   std::vector<PlacedEdge> all;
   all.reserve(3 * triangles.size());

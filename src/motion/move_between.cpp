@@ -16,8 +16,8 @@ namespace {
 
 constexpr double radians_in_half_a_turn = 3.14159265358979323846;
 
-/// Of length 1 but for rounding, and w is not negative (S. W. Shepperd, "Quaternion from rotation matrix", 1978: from
-/// the greatest of the four, so nothing cancels).
+/// The quaternion of a rotation: its length is 1 but for rounding, and w is not negative (S. W. Shepperd, "Quaternion
+/// from rotation matrix", 1978: from the greatest of the four, so nothing cancels).
 Quaternion quaternion_of(const Mat3& m) {
   const double trace = (m[0].x + m[1].y) + m[2].z;
   int greatest = 0;

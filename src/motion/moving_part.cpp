@@ -139,7 +139,7 @@ double MovingPart::farthest_reach(const PartMotion& motion) const {
   return reach * (1 + 0x1p-40) + motion.rounding;
 }
 
-/// Of all numbers that are added up for a world coordinate of a point of its core.
+/// At least the sum of the magnitudes of all numbers that are added up for a world coordinate of a point of its core.
 double MovingPart::size(const Pose& start) const {
   Vec3 largest = greatest_magnitudes_of(core_.outline);
   for (std::size_t i = chain_.size(); i-- > 0;) largest = magnitudes_in(chain_[i], largest);

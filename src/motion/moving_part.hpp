@@ -27,7 +27,7 @@ struct PartMotion {
     return length(axis == Vec3{} ? from : from - dot(from, axis) * axis);
   }
 
-  /// Of points that are no farther from the axis.
+  /// The bounds for points that are no farther than `within` from the axis.
   [[nodiscard]] MotionBounds bounds(double within) const {
     MotionBounds bounds = alike;
     bounds.speed += rate * within;
@@ -68,7 +68,7 @@ class MovingPart {
 
   [[nodiscard]] PartMotion motion(const TimeStretch& stretch) const;
 
-  /// By how much a direction of it may be off, posed in doubles.
+  /// How much a direction of it may be off when it is posed in doubles.
   [[nodiscard]] double pose_error(const TimeStretch& stretch) const;
 
   [[nodiscard]] const MovingCore& core() const { return core_; }
@@ -98,8 +98,9 @@ class MovingPart {
 [[nodiscard]] std::vector<MovingPart> moving_parts(const Model& model, const RigidMotion& motion, Solid solid,
                                                    std::string_view who);
 
-/// Of every two points, one of each core: what parts two shapes along a direction is what parts their cores, less both
-/// radii, which do not change. Of a half-space: of how high points of the other's core are above it.
+/// Bounds for the gap between every two points, one of each core: what parts two shapes along a direction is what parts
+/// their cores, less both radii, which do not change. For a half-space they bound how high points of the other's core
+/// are above it.
 [[nodiscard]] GapBounds gap_bounds(const MovingPart& a, const MovingPart& b, const TimeStretch& stretch);
 
 }  // namespace toccata

@@ -6,7 +6,8 @@
 
 #include "toccata/math/vec3.hpp"
 
-// Of a polygon at rest, where it is nearest to the origin. All is rounded: what is made of it proves itself.
+// The point of a polygon at rest that is nearest to the origin, and the direction towards it. All is rounded: what is
+// made of it proves itself.
 namespace toccata {
 
 struct NearestOfPolygon {

@@ -37,11 +37,11 @@ struct ScaledPolygon {
   double factor = 1;
 };
 
-/// With a largest coordinate of 1; not finite where v is zero.
+/// The vector with a largest coordinate of 1; not finite where v is zero.
 inline Vec3 of_largest_coordinate_one(const Vec3& v) { return v / largest_magnitude(v); }
 
-/// Not less than separation · |direction|, for a direction of that size, by far more than what comparisons with it
-/// round.
+/// A number not less than separation · |direction|, for a direction of that size, by far more than what comparisons
+/// with it round.
 inline double separation_along(const Vec3& direction, double separation) {
   return separation * (plain_length(direction) * (1 + 0x1p-44));
 }

@@ -20,7 +20,7 @@ struct PolygonSpan {
   RoundedPolygon<Count> corners;
   Vec3 magnitude;
 
-  /// By how much a dot product with the direction may be off.
+  /// How much a dot product with the direction may be off.
   [[nodiscard]] double slack(const Vec3& direction) const {
     const double sum = (std::fabs(direction.x) * magnitude.x + std::fabs(direction.y) * magnitude.y) +
                        std::fabs(direction.z) * magnitude.z;

@@ -65,16 +65,16 @@ class StretchView {
   /// More than all that is rounded can change a difference of heights by.
   [[nodiscard]] double pad(std::size_t direction) const { return directions_[direction].pad; }
 
-  /// Of a box of a thing, the first or the second.
+  /// The heights of a box of a thing, the first or the second.
   [[nodiscard]] HeightsAtEnds heights(std::size_t direction, std::size_t side, std::uint32_t at) const;
   [[nodiscard]] Heights heights(std::size_t side, std::uint32_t at) const;
   [[nodiscard]] BlockHeights block_heights(std::size_t direction, std::size_t side, std::uint32_t block) const;
 
-  /// Of a thing that is a mesh, a triangle in the world at one of the ends.
+  /// A triangle of a thing that is a mesh, in the world at one of the ends.
   [[nodiscard]] Triangle triangle(std::size_t side, std::size_t end, Index number) const;
 
  private:
-  /// Of a tree: a point q in its units is at the height form · q + offset.
+  /// How high things are along a direction. For a tree, a point q in its units is at the height form · q + offset.
   struct Along {
     std::array<Vec3, 2> form{};
     std::array<double, 2> offset{};

@@ -121,7 +121,7 @@ class Sweep {
     return ShapeHit{{true, found->lower, found->upper, {}, found->normal, found->status}};
   }
 
-  /// With where they meet, and elements and faces as the models count them.
+  /// The hit with where they meet, and elements and faces as the models count them.
   static ShapeHit completed(ShapeHit hit, const MovingPart& a, const MovingPart& b) {
     hit.point = item_point_on_b(a, hit.element_a, b, hit.element_b, hit.lower);
     hit.face_a = face_of(a, hit.element_a) + a.first_face;

@@ -25,7 +25,7 @@ using SharedCluster = std::shared_ptr<const ConvexCluster>;
 /// The clusters of a part from which refining begins: one. Not for half-spaces.
 [[nodiscard]] SharedCluster whole_cluster(const MovingPart& part);
 
-/// Those of the children of its node, or its triangles; none of what is one convex shape.
+/// The clusters of the children of its node, or its triangles; none for what is one convex shape.
 [[nodiscard]] std::vector<SharedCluster> finer_clusters(const ConvexCluster& cluster);
 
 /// A cluster in a stretch of time, and the hull of both ends that contains what it passes there.

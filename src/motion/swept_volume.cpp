@@ -51,7 +51,7 @@ double diagonal_at_start(const std::vector<MovingPart>& parts) {
   return length(box.upper - box.lower);
 }
 
-/// Of a mesh that is a solid, its inside at the start.
+/// Adds the inside, at the start, of every mesh that is a solid.
 void add_insides(const std::vector<MovingPart>& parts, std::vector<CompoundPart>& volume) {
   for (const MovingPart& part : parts)
     if (part.shape().has_mesh() && is_solid(part.at(0))) volume.push_back({part.shape().shape(), part.pose_at(0)});

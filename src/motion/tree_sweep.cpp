@@ -146,7 +146,7 @@ class TreeSweep {
     return least_between(start, end, step, bounds) > 0;
   }
 
-  /// Of the first boxes of a block those, as bits, that no direction parts from a box of the other thing throughout.
+  /// Those of the first boxes of a block, as bits, that no direction parts from a box of the other thing throughout.
   [[nodiscard]] std::uint32_t not_parted(const StretchView& view, std::size_t side, std::uint32_t block,
                                          std::uint32_t count, std::uint32_t other) const {
     std::uint32_t left = (1U << count) - 1;
@@ -198,7 +198,8 @@ class TreeSweep {
     found_.push_back({contact->lower, items});
   }
 
-  /// Of two triangles: their normals, or the line between their middles, tell of most.
+  /// Whether two items are triangles that certainly stay apart: for most their normals, or the line between their
+  /// middles, show it.
   [[nodiscard]] bool are_parted_triangles(const StretchView& view, const ItemPair& items) const {
     if (things_[0].tree == nullptr || things_[1].tree == nullptr || view.count() == 0) return false;
     const std::array a{view.triangle(0, 0, items.first), view.triangle(0, 1, items.first)};
@@ -225,7 +226,7 @@ class TreeSweep {
     return item_contact(a, items.first, b, items.second, stretch, item_bounds(items), stop_before_);
   }
 
-  /// Of a triangle that of its corners, which are farthest.
+  /// How far an item reaches from the axis; for a triangle, that is the reach of its corners, which are farthest.
   [[nodiscard]] double reach_of(std::size_t side, Index item) const {
     const SweptThing& thing = things_[side];
     if (thing.tree == nullptr) return thing.motion.reach;

@@ -33,7 +33,7 @@ class GridWalk {
   }
 
   [[nodiscard]] bool rises(std::size_t axis) const { return from_[axis] < to_[axis]; }
-  /// Of an axis along which the end is not reached yet.
+  /// The next plane across an axis along which the end is not reached yet.
   [[nodiscard]] double next_plane(std::size_t axis) const {
     return cells_.plane(axis, rises(axis) ? cell_[axis] + 1 : cell_[axis]);
   }

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of boxes without end differences are no numbers: they are no better than any.
+/// Boxes without end have differences that are no numbers: these are no better than any.
 bool is_less(double a, double b) { return a < b || (std::isnan(b) && !std::isnan(a)); }
 
 }  // namespace

@@ -19,7 +19,7 @@ class RTreeNodes {
   static constexpr std::size_t most = 16;  ///< entries of a node
   static constexpr std::size_t least = 6;  ///< of all but the root
 
-  /// Of a leaf (level 0) the children are numbers of boxes.
+  /// A node. In a leaf (level 0) the children are numbers of boxes.
   struct Node {
     Index parent = none;
     std::uint32_t level = 0;

@@ -70,7 +70,7 @@ std::array<Sharing, 2> sharings(std::span<const Aabb> boxes, int axis) {
   return {by(&Aabb::lower, &Aabb::upper), by(&Aabb::upper, &Aabb::lower)};
 }
 
-/// Of the middles that are numbers.
+/// The axis along which the middles that are numbers spread the widest.
 int widest_axis(std::span<const Aabb> boxes, std::span<const Index> numbers) {
   Aabb middles;
   for (const Index number : numbers)

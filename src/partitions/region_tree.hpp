@@ -25,7 +25,7 @@ struct RegionTree {
 
   [[nodiscard]] std::vector<Index> candidates(const PartitionItems& items, const Aabb& box) const;
   [[nodiscard]] std::vector<IndexPair> candidate_pairs(const PartitionItems& items) const;
-  /// Of nodes at the depth, with what is in the leaves below, and of leaves above it.
+  /// The cells of nodes at the depth, with what is in the leaves below, and of leaves above it.
   [[nodiscard]] std::vector<PartitionCell> cells_at(Index depth) const;
   [[nodiscard]] std::vector<PartitionCell> cells() const { return cells_at(greatest_depth()); }
   [[nodiscard]] Index greatest_depth() const;

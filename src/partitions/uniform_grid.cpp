@@ -33,7 +33,7 @@ GridBox<D> without_other_axes(const Aabb& box) {
   return result;
 }
 
-/// Of D = 2 the cell is as high as `all`. It ends where doubles do.
+/// With D = 2 the cell is as high as `all`. It ends where doubles do.
 template <std::size_t D>
 Aabb box_in_space(const GridBox<D>& cell, const Aabb& all) {
   constexpr double greatest = std::numeric_limits<double>::max();

@@ -69,7 +69,7 @@ auto ask(const Asked& question, const A& a, const B& b) {
   }
 }
 
-/// Of two posed shapes, whichever they are. Throws Error for what the table does not define.
+/// Asks the question about two posed shapes, whichever they are. Throws Error for what the table does not define.
 template <class Asked>
 auto ask(const Asked& question, const PosedPart& a, const PosedPart& b) {
   require_answered(Asked::question, a.kind, b.kind);
@@ -118,8 +118,8 @@ struct PosedModelPair {
   SearchScratch& lender_;
 };
 
-/// Of two models that are one shape each, as all are for which the table defines such a question. Throws Error where it
-/// does not.
+/// Asks the question about two models that are one shape each, as all are for which the table defines such a question.
+/// Throws Error where it does not.
 template <class Asked>
 auto ask_single(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
   require_answered(Asked::question, kind_of(a.shape()), kind_of(b.shape()));

@@ -5,7 +5,7 @@
 
 namespace toccata {
 
-/// Of intervals that are told one after the other, keeps the one of the least upper end, the first among equals, and
+/// Keeps, of intervals that are told one after the other, the one with the least upper end, the first among equals, and
 /// widens it so that the least of all exact numbers lies in it: another may begin lower and end higher. It is as wide
 /// as one of them at most.
 template <class Certified>

@@ -9,8 +9,8 @@
 
 namespace toccata {
 
-/// A bound of two parts by their boxes: their gap, or when one first meets the other. Of boxes within these it is never
-/// less.
+/// A bound of two parts by their boxes: their gap, or when one first meets the other. For boxes within these it is
+/// never less.
 using BoundOfBoxes = FunctionRef<double(const Aabb&, const Aabb&)>;
 
 /// The pairs of parts of two models, the ones of the least bound first. Only those boxes of the two are compared that

@@ -5,7 +5,7 @@
 
 namespace toccata {
 
-/// Of two parts: elements and faces counted from where those of the parts begin.
+/// The distance of two parts with elements and faces counted from where those of the parts begin.
 [[nodiscard]] inline Distance numbered(Distance d, const PosedPart& a, const PosedPart& b) {
   d.element_a += a.first_element;
   d.element_b += b.first_element;

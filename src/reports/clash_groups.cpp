@@ -11,7 +11,8 @@
 namespace toccata::io {
 namespace {
 
-/// Of the object with most pairs that are in no group yet, of several the first, until no pair is left.
+/// Makes a group of all pairs of the object that has the most that are in no group yet, of several the first, until no
+/// pair is left.
 std::vector<ClashGroup> groups_of_parts(const std::vector<ReportedPair>& pairs) {
   std::map<Index, std::set<std::size_t>> of_part;
   for (std::size_t i = 0; i < pairs.size(); ++i)

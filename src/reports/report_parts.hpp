@@ -31,8 +31,8 @@ namespace toccata::io {
 
 /// How narrow a depth was asked for.
 void add_depth_options(Json& json, const DepthOptions& depth);
-/// Of a question that says nothing of it as it was before one could: 2 %. Throws where it says so, and asks for no
-/// depths.
+/// How narrow a question asks for depths. One that says nothing of it gets 2 %, as before one could say so. Throws
+/// where it says so, and asks for no depths.
 [[nodiscard]] DepthOptions depth_options_of(const JsonValue& question);
 [[nodiscard]] DepthOptions depth_options_of(const JsonValue& question, bool is_asked);
 [[nodiscard]] Json json_of(const Manifold& manifold);

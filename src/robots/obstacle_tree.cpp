@@ -38,8 +38,8 @@ class ProbeMaking {
   [[nodiscard]] const WideProbe& probe() const { return probe_; }
 
  private:
-  /// `size` is what the direction's numbers add up to. Of floats and of dot products 2⁻²⁰ of all numbers is more than
-  /// is rounded: coordinates within the tree are at most 2.
+  /// `size` is what the direction's numbers add up to. 2⁻²⁰ of all numbers is more than floats and dot products are
+  /// rounded by: coordinates within the tree are at most 2.
   void add(const SlantedForm& form, double size, double middle, double half) {
     const double at = units_ * middle, reach = units_ * (half + farther_ * size);
     if (!(std::fabs(at) < most_of_floats && reach < most_of_floats)) return;

@@ -15,7 +15,7 @@ bool meets_ball(const Ball& a, const Ball& b) {
   return reach > 0 && dot(between, between) < reach * reach;
 }
 
-/// Of a box or a ball; of others nothing is told.
+/// Whether a ball certainly meets a box or another ball; nothing is told of other shapes.
 bool meets_convex(const Ball& ball, const PosedPolytope& convex) {
   if (convex.vertex_count() == 1) return meets_ball(ball, {convex.vertex(0), convex.radius()});
   const RigidBox& box = convex.as_box();

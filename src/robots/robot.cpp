@@ -17,7 +17,7 @@ namespace {
 
 constexpr double turns_in_a_radian = 0.15915494309189535;  ///< 1 / 2π
 
-/// By Rodrigues' formula, for an axis of length 1: in the form of `rotation_about`.
+/// The rotation by Rodrigues' formula, for an axis of length 1: in the form of `rotation_about`.
 Mat3 turned_about(const Vec3& a, double radians) {
   const auto [s, c] = sine_cosine_of_turns(turns_in_a_radian * radians);
   Mat3 m;

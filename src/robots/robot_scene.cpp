@@ -28,7 +28,7 @@ void add_part_boxes(const Model& model, const Pose& pose, std::vector<TurnedBox>
     add_part_boxes(model.parts()[i], pose * compound->parts()[i].pose, boxes);
 }
 
-/// Of a mesh that may be placed so; it is posed as the mesh is.
+/// The hull of a mesh that may be placed so; it is posed as the mesh is.
 std::optional<ConvexHull> hull_around(const Model& model, const Pose& pose) {
   if (!model.has_mesh() || model.mesh().vertices().empty() || is_singular(pose.linear)) return {};
   return ConvexHull(model.mesh().vertices());

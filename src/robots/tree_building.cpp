@@ -174,7 +174,7 @@ class TreeBuilding {
       throw Error(fmt::format("{}: the multiplier or offset by which it mimics is not finite", who));
   }
 
-  /// By which number of a configuration a joint moves.
+  /// The number of a configuration by which a joint moves.
   RobotFrame followed(Index joint) const {
     RobotFrame frame;
     Index at = joint;

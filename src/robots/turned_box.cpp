@@ -17,7 +17,8 @@ constexpr double most_shrunk = 0x1p-8;
 /// Roundings of poses, of boxes and of what compares these are far below it.
 constexpr double box_slack = 0x1p-38;
 
-/// Of the numbers that are added up where a model is placed; of a compound the parts are placed in it first.
+/// At least the sum of the magnitudes of the numbers that are added up where a model is placed; the parts of a compound
+/// are placed in it first.
 double placed_magnitude(const Model& model) {
   const auto* compound = std::get_if<Compound>(&model.shape());
   if (compound == nullptr) {

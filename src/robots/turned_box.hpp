@@ -27,7 +27,7 @@ struct TurnedBox {
 
 [[nodiscard]] TurnedBox turned_box(const LocalBox& box, const Pose& pose);
 
-/// Of a ball around its centre that contains what the box stands for, also when it is turned.
+/// The radius of a ball around its centre that contains what the box stands for, also when it is turned.
 [[nodiscard]] double radius_around(const TurnedBox& box);
 
 [[nodiscard]] Aabb box_around(const TurnedBox& box);

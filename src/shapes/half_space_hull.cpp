@@ -21,8 +21,8 @@
 namespace toccata {
 namespace {
 
-/// Of a half-space n · p ≤ d it is (n, −d); of a point p, or a direction, (w p, w) with w > 0, or w = 0. A point is in
-/// the half-space when their product is not positive.
+/// A half-space n · p ≤ d is stored as (n, −d); a point p, or a direction, as (w p, w) with w > 0, or w = 0. A point is
+/// in the half-space when their product is not positive.
 using WholeVector4 = std::array<Integer, 4>;
 
 Integer whole_product(const WholeVector4& a, const WholeVector4& b) {
@@ -107,7 +107,7 @@ class HalfSpaceCone {
     std::vector<Index> planes;  ///< those it lies in, in their order
   };
 
-  /// Of three half-spaces with independent normals.
+  /// The cone of three half-spaces with independent normals.
   HalfSpaceCone(const std::array<WholeVector4, 3>& first, Comparisons& comparisons) : comparisons_(comparisons) {
     const std::array<WholeVector4, 4> planes{behind_infinity, first[0], first[1], first[2]};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -279,10 +279,10 @@ CommonSet common_set(std::span<const WholeVector4> planes, std::span<const Index
   return common;
 }
 
-/// Of half-spaces without a common point at most four that have none, of which none can be left out (E. Helly, 1923).
-/// They are given as they were cut until nothing was left. The last that is cut belongs to every such choice among
-/// those before it. It goes first in the next round, whose last is another, until those in front are all that there
-/// are.
+/// Chooses, among half-spaces without a common point, at most four that have none, of which none can be left out (E.
+/// Helly, 1923). They are given as they were cut until nothing was left. The last that is cut belongs to every such
+/// choice among those before it. It goes first in the next round, whose last is another, until those in front are all
+/// that there are.
 std::vector<Index> least_without_point(std::span<const WholeVector4> planes, std::vector<Index> among,
                                        Comparisons& comparisons) {
   for (int round = 0; round < 6; ++round) {
@@ -358,8 +358,8 @@ std::vector<Vec3> vertices_of_cone(const HalfSpaceCone& cone) {
   return vertices;
 }
 
-/// Of those that are equal the first, mixed: one after the other along a shape, as they are often given, each would cut
-/// away much of what those before it made.
+/// The numbers of the planes, of equal ones the first alone, in a mixed order: one after the other along a shape, as
+/// they are often given, each would cut away much of what those before it made.
 std::vector<Index> mixed_order(std::span<const WholeVector4> planes) {
   std::vector<Index> order(planes.size());
   std::iota(order.begin(), order.end(), Index{0});

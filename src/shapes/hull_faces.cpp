@@ -76,7 +76,7 @@ std::optional<Index> point_off_plane(std::span<const Vec3> points, const Vec3& a
   return off(far) ? far : first_that(points.size(), off);
 }
 
-/// As many points as span the hull: one, two on a line, three in a plane, or four.
+/// Points that span the hull, as many as that takes: one, two on a line, three in a plane, or four.
 std::vector<Index> spanning_points(std::span<const Vec3> points) {
   const auto least = std::min_element(points.begin(), points.end(), lexicographically_less);
   const auto greatest = std::max_element(points.begin(), points.end(), lexicographically_less);

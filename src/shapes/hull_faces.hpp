@@ -16,7 +16,8 @@ struct HullFaces {
   void close_face() { first.push_back(static_cast<Index>(corners.size())); }
 };
 
-/// Of finite points, at least one. Of a hull that is one point the only corner belongs to no face.
+/// The faces of the hull of finite points, at least one. Where the hull is one point, the only corner belongs to no
+/// face.
 [[nodiscard]] HullFaces hull_faces(std::span<const Vec3> points);
 
 /// The same as triangles, if it is not flat; else none.

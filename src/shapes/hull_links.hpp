@@ -12,8 +12,8 @@ struct HullLinks {
   std::span<Index> leaving, twin, face;
 };
 
-/// Links the half-edges of faces of which every directed edge belongs to one alone. Of each vertex, the least half-edge
-/// leaves it; of a vertex without any, 0.
+/// Links the half-edges of faces of which every directed edge belongs to one alone. `leaving` has for each vertex the
+/// least half-edge that leaves it; 0 for a vertex without any.
 void link_faces(const HullFaces& faces, const HullLinks& links);
 
 }  // namespace toccata

@@ -33,7 +33,7 @@ class FaceMerging {
     const auto& [a, b, c] = triangles_[t].vertices;
     const HullTriangle& other = triangles_[triangles_[t].neighbours[edge]];
     const Index to = triangles_[t].vertices[(edge + 1) % 3];
-    // Of the neighbour the edge runs the other way round, so after its start `to` come `from` and the third vertex.
+    // In the neighbour the edge runs the other way round, so after its start `to` come `from` and the third vertex.
     const std::size_t corner = other.vertices[0] == to ? 0 : other.vertices[1] == to ? 1 : 2;
     const Index third = other.vertices[(corner + 2) % 3];
     return orient3d(points_[a], points_[b], points_[c], points_[third]) == Sign::zero;

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of each distinct vertex the first that has its coordinates and is in a triangle.
+/// For each distinct vertex, the first that has its coordinates and is in a triangle.
 std::vector<Index> first_vertices(const TriangleMesh& mesh, const WeldedTriangles& welded) {
   std::vector<Index> first(welded.distinct_vertices, static_cast<Index>(mesh.vertices().size()));
   for (std::size_t t = 0; t < welded.triangles.size(); ++t)

@@ -18,7 +18,7 @@ struct HullTriangle {
 
 /// The boundary of the convex hull of the points as triangles with area; vertices are numbers of points. Neighbours may
 /// be coplanar, and a vertex may lie within an edge or a face of the hull. `simplex` are four points that are not in
-/// one plane. Of equal points the first is used.
+/// one plane. The first of equal points is used.
 ///
 /// Quickhull (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, 1996) with exact signs in place of their tolerances.
 [[nodiscard]] std::vector<HullTriangle> quickhull(std::span<const Vec3> points, const std::array<Index, 4>& simplex);

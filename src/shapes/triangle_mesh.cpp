@@ -39,7 +39,7 @@ void check_faces(std::span<const Index> face_of_triangle, std::size_t triangle_c
                   "triangles by face");
 }
 
-/// By memcpy, as a stride need not keep numbers aligned.
+/// Copies by memcpy, as a stride need not keep numbers aligned.
 template <class Number>
 std::vector<Vec3> copied(const Number* first, const PositionBuffer& positions, double scale) {
   if (positions.stride < 3 * sizeof(Number))

@@ -4,7 +4,7 @@
 
 namespace toccata {
 
-/// As triangulate; the mesh takes the vertices over.
+/// The same as `triangulate`; the mesh takes the vertices over.
 [[nodiscard]] TriangleMesh triangulated(PolygonMesh polygons);
 
 }  // namespace toccata

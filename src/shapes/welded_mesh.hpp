@@ -17,7 +17,7 @@ struct WeldedTriangles {
 
 [[nodiscard]] WeldedTriangles weld(const TriangleMesh& mesh);
 
-/// Of each vertex the first that has its coordinates.
+/// For each vertex, the first that has its coordinates.
 [[nodiscard]] std::vector<Index> first_equal_vertices(const TriangleMesh& mesh);
 
 /// An edge of a triangle of a welded mesh, from its corner of that number to the next.

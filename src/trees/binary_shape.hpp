@@ -14,7 +14,7 @@ struct Fork {
   Index left = no_index;
   Index right = no_index;
   Index item = no_index;
-  /// Of `equal_regions`: with its parent it makes one node, whose region both cut.
+  /// Set by `equal_regions`: with its parent it makes one node, whose region both cut.
   bool goes_on = false;
 
   [[nodiscard]] bool is_leaf() const { return item != no_index; }
@@ -42,8 +42,8 @@ struct ShapeItems {
   std::vector<Vec3> centroids;
 };
 
-/// On up to `threads` threads; none of the shapes depends on how many. Of `equal_regions` alone the arity tells into
-/// how many each is cut.
+/// On up to `threads` threads; none of the shapes depends on how many. The arity is used by `equal_regions` alone: it
+/// says into how many each is cut.
 [[nodiscard]] BinaryShape shape_from_top(const ShapeItems& items, const BvhOptions& options, int arity);
 [[nodiscard]] BinaryShape shape_by_heuristic(const ShapeItems& items);
 [[nodiscard]] BinaryShape shape_by_agglomeration(const ShapeItems& items, int threads);

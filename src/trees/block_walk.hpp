@@ -135,7 +135,8 @@ class BlockWalk {
     }
   }
 
-  /// Of two, or one. Which of them it is cannot be foreseen, so nothing branches on it.
+  /// Goes to the one of two inner children that comes first, or to the only one. Which of them it is cannot be
+  /// foreseen, so nothing branches on it.
   HWY_INLINE void go_to_first_of_two(const WideBlock& block, unsigned inner) {
     const auto one = static_cast<std::size_t>(std::countr_zero(inner));
     const auto other = static_cast<std::size_t>(std::bit_width(inner) - 1);

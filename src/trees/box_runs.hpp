@@ -53,7 +53,7 @@ class BoxRuns {
   Tell tell_;
 };
 
-/// As the one over boxes (trees/wide_bvh.hpp).
+/// Builds a tree as the function over boxes does (trees/wide_bvh.hpp).
 [[nodiscard]] WideBvh build_wide_bvh(const BoxRuns& boxes, const WideBuildOptions& options = {});
 
 /// Over the boxes of the mesh's triangles.

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// A power of two. Of things that are all in one place, or nearly, it must not make the place itself too far away.
+/// A power of two. Where things are all in one place, or nearly, it must not make the place itself too far away.
 double factor_for(const Aabb& box) {
   const double farthest = std::max({std::abs(box.lower.x), std::abs(box.lower.y), std::abs(box.lower.z),
                                     std::abs(box.upper.x), std::abs(box.upper.y), std::abs(box.upper.z)});
@@ -110,8 +110,8 @@ class Arranger {
 
   void add_node() { shape_.nodes.emplace_back(); }
 
-  /// Of a fork with more items than a leaf may have: the child with most items gives way to its own children, as long
-  /// as there is room. Of regions those do that are cut further into the same parts.
+  /// The children of a fork that has more items than a leaf may have: the child with the most items gives way to its
+  /// own children, as long as there is room. With regions those give way that are cut further into the same parts.
   [[nodiscard]] std::vector<Index> children_of(Index fork) const {
     std::vector<Index> children{binary_.forks[fork].left, binary_.forks[fork].right};
     const auto rank = [&](Index i) { return by_regions_ && !binary_.forks[i].goes_on ? 0 : counts_[i]; };

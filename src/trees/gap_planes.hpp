@@ -74,10 +74,10 @@ class GapPlanes {
 // Planes that part boxes, under rigid views. Their bounds are never less than those of the walk, but for rounding to
 // floats.
 
-/// Of up to eight pairs.
+/// Makes the planes of up to eight pairs.
 void part_boxes(const NearWalk& walk, std::span<const BoxPair> pairs, GapPlaneLanes& planes);
 
-/// Of the children of a block of the tree `side` and one box of the other.
+/// Makes the planes between the children of a block of the tree `side` and one box of the other.
 void part_children(const NearWalk& walk, std::size_t side, std::uint32_t number, std::uint32_t other,
                    GapPlaneLanes& planes);
 

@@ -22,8 +22,8 @@ struct alignas(64) TriangleLanes {
 struct LeafTriangles {
   std::vector<TriangleLanes> of_block;  ///< as many as the tree has blocks
 
-  /// By how much a coordinate differs at most from the vertex's exact one, in the tree's units: half of the last place
-  /// of floats up to 1 (or 2, where the tree is larger than 2¹⁰²³), and what doubles round on the way.
+  /// How much a coordinate differs at most from the vertex's exact one, in the tree's units: half of the last place of
+  /// floats up to 1 (or 2, where the tree is larger than 2¹⁰²³), and what doubles round on the way.
   float off = 0;
 
   /// How rays come to them where the mesh is at the identity; of those that a model holds.

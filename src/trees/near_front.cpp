@@ -27,8 +27,8 @@ Index item_of(const NearBvh& tree, std::uint32_t box) {
   return tree.items[static_cast<std::uint32_t>(~child_of(tree, box))];
 }
 
-/// Of two items that are `found.gap` apart as they are now. What is rounded here is below 2⁻²¹ of the sizes: the
-/// direction and how it is seen change by 2⁻²³ of their lengths.
+/// The plane between two items that are `found.gap` apart as they are now. What is rounded here is below 2⁻²¹ of the
+/// sizes: the direction and how it is seen change by 2⁻²³ of their lengths.
 GapPlane plane_of(const NearWalk& walk, const BoxPair& items, const FrontGap& found) {
   const NearView& view = walk.view(0);
   const OrientedBlock& block = walk.tree(1).blocks[items.second >> 3];

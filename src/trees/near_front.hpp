@@ -21,7 +21,7 @@ struct FrontGap {
 /// A question about what is nearest, for a front.
 class FrontQuestion {
  public:
-  /// As of NearQuestion.
+  /// The limit, as that of NearQuestion.
   [[nodiscard]] virtual double limit() const = 0;
   /// Writes for every pair along which direction it is apart; nothing is known of those that are left as they are.
   virtual void visit(std::span<const ItemPair> pairs, std::span<FrontGap> gaps) = 0;
@@ -38,7 +38,7 @@ class FrontQuestion {
 /// there is none.
 class NearFront {
  public:
-  /// Of other walks nothing is kept: those under poses that shear, or of sizes that floats do not hold.
+  /// Whether a front is kept for this walk: not under poses that shear, and not for sizes that floats do not hold.
   [[nodiscard]] static bool serves(const NearWalk& walk);
 
   void clear();
@@ -54,7 +54,7 @@ class NearFront {
   /// It is three times what it was when it was made: time to make it anew.
   [[nodiscard]] bool has_grown() const { return size() > 3 * size_when_made_ + 32; }
 
-  /// Of the last question.
+  /// The counts of the last question.
   [[nodiscard]] const WalkCounts& counts() const { return counts_; }
 
  private:

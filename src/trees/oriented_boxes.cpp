@@ -15,7 +15,7 @@ namespace {
 using TriangleCorners = std::array<Vec3, 3>;
 using Axes = std::array<Vec3, 3>;
 
-/// Of a surface, its area, and its first and second moments.
+/// The area of a surface, and its first and second moments.
 struct SurfaceMoments {
   double area = 0;
   Vec3 first;
@@ -90,7 +90,7 @@ Axes jacobi_axes(SymmetricMatrix m) {
   return {axes[order[0]], axes[order[1]], axes[order[2]]};
 }
 
-/// Of length 1; or something at right angles to `other` where there is no direction.
+/// The vector scaled to length 1, or something at right angles to `other` where there is no direction.
 Vec3 unit_or_across(const Vec3& v, const Vec3& other) {
   const double length = std::sqrt(dot(v, v));
   if (length > 0 && std::isfinite(length)) return (1 / length) * v;

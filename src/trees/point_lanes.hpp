@@ -29,8 +29,8 @@ struct FloatBounds {
   Float lower, upper;
 };
 
-/// Of the triangles from lane `first` on: docs/methods/nearest-point.md. `pad` is at least 2⁻³⁰ and what the floats
-/// given are off by; no coordinate is above 2³⁰.
+/// Bounds for the triangles from lane `first` on: docs/methods/nearest-point.md. `pad` is at least 2⁻³⁰ and what the
+/// floats given are off by; no coordinate is above 2³⁰.
 HWY_INLINE FloatBounds bounds_of(const TriangleLanes& triangles, std::size_t first, const std::array<float, 3>& point,
                                  float pad) {
   constexpr Floats floats;

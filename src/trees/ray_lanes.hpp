@@ -133,8 +133,8 @@ HWY_INLINE SeenCorner seen_corner(const LineNumbers& line, const Float& x, const
 /// Twice the area that the line sees of the triangle of two corners and the origin.
 HWY_INLINE Float seen_area(const SeenCorner& p, const SeenCorner& q) { return hn::MulSub(p.x, q.y, hn::Mul(p.y, q.x)); }
 
-/// Of the lanes in `among`, in which lines meet the boxes of triangles; `extents` are those of the boxes, added up
-/// (S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", 2013; the bounds are ours).
+/// What is told of the lanes in `among`, in which lines meet the boxes of triangles; `extents` are those of the boxes,
+/// added up (S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", 2013; the bounds are ours).
 HWY_INLINE LinesTold told_of(const LineNumbers& line, const SeenCorner& a, const SeenCorner& b, const SeenCorner& c,
                              const Float& extents, unsigned among) {
   LinesTold told{0, 0, hn::Zero(Floats()), hn::Zero(Floats())};

@@ -19,7 +19,7 @@ struct RayInTree {
 
 [[nodiscard]] RayInTree ray_into_tree(const RayFrame& frame, const PreparedRay& ray);
 
-/// Of each ray; `result` is as long.
+/// The same for each ray; `result` is as long.
 void rays_into_tree(const RayFrame& frame, std::span<const PreparedRay> rays, std::span<RayInTree> result);
 
 }  // namespace toccata

@@ -16,9 +16,9 @@ struct Cluster {
   Index fork;
 };
 
-/// Of each cluster the nearest one within reach: with which it has the least surface. Of equal ones that with which it
-/// makes a pair counted from the start, so that clusters that coincide are merged two by two, and not one after
-/// another.
+/// For each cluster the nearest one within reach: that with which it has the least surface. Among equal ones it is that
+/// with which it makes a pair counted from the start, so that clusters that coincide are merged two by two, and not one
+/// after another.
 std::vector<std::size_t> nearest_of(std::span<const Cluster> clusters, int threads) {
   std::vector<std::size_t> nearest(clusters.size());
   const auto area_with = [&](std::size_t i, std::size_t j) {

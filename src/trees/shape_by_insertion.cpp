@@ -40,7 +40,7 @@ class Inserter {
       if (joining(here, box) < below) break;
       boxes_[here] = merge(boxes_[here], box);
       parent = here;
-      // Of equal ones the smaller, so that boxes that coincide do not make a list.
+      // Between equal ones it goes to the smaller, so that boxes that coincide do not make a list.
       here = left < right || (left == right && counts_[fork.left] <= counts_[fork.right]) ? fork.left : fork.right;
       ++counts_[parent];
     }

@@ -86,7 +86,7 @@ double SweptWalk::extent(const Heights& heights) const {
   return sum;
 }
 
-/// Of the boxes of `side` and a single item that they are small beside; none of others.
+/// The directions for the boxes of `side` and a single item that they are small beside; none for any others.
 std::span<const SweptDirection> SweptWalk::directions_beside(const SweptFrontier::Entry& entry, std::size_t side,
                                                              const std::array<Heights, 2>& along) const {
   const std::size_t other = 1 - side;

@@ -19,7 +19,7 @@ struct HeightRange {
 
 /// A direction along which two things are compared of which the first moves, upwards.
 struct SweptDirection {
-  /// Of a thing that is a tree: its point q, in its units, is at the height form · q + offset when the way begins.
+  /// For a thing that is a tree: its point q, in its units, is at the height form · q + offset when the way begins.
   std::array<Vec3, 2> form{};
   std::array<double, 2> offset{};
   std::array<HeightRange, 2> whole;  ///< of each thing, when the way begins; it may be infinite
@@ -38,8 +38,8 @@ struct SweptFrontier {
   WalkCounts counts;
 };
 
-/// Directions that tell boxes from an item better than its own box does, where they are small beside it. Of the item's
-/// side `whole` is of the item.
+/// Directions that tell boxes from an item better than its own box does, where they are small beside it. On the item's
+/// side, `whole` is that of the item.
 class SweptItems {
  public:
   [[nodiscard]] virtual std::span<const SweptDirection> directions_beside(std::size_t side, Index item) = 0;

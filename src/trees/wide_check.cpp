@@ -21,7 +21,7 @@ struct Real2 {
   double rounded = infinity;
   double rest = 0;
 
-  // Of equal ones the larger may also be the less: where a number lies half way between two doubles.
+  // Equal numbers may compare either way where they lie half way between two doubles.
   friend bool operator<=(const Real2& x, const Real2& y) {
     return x.rounded < y.rounded || (x.rounded == y.rounded && x.rest <= y.rest);
   }
@@ -158,7 +158,7 @@ class WideChecker {
     return item;
   }
 
-  /// As real numbers. Also that the lane's box is not far beyond all items.
+  /// Whether the lane's box holds the items below in real numbers, and is not far beyond all of them.
   bool holds(const WideBlock& block, std::size_t lane, const Below& below) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double centre{block.centre[axis][lane]}, extent{block.extent[axis][lane]};

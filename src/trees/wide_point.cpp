@@ -35,7 +35,7 @@ class VisitedLeaves {
     visit_ = &visit;
   }
 
-  /// Of a block the items in these lanes; returns the limit from then on.
+  /// Shows the items in these lanes of a block; returns the limit from then on.
   double see(std::size_t number, unsigned items) {
     std::array<Index, WideBlock::width> places;
     std::size_t count = 0;
@@ -143,7 +143,7 @@ class PointSearch {
     keep_within(limit);
   }
 
-  /// By the squares of how far boxes are. What is not a number keeps the lane.
+  /// Compares the squares of how far boxes are. What is not a number keeps the lane.
   HWY_INLINE unsigned meet(const WideBlock& block, std::size_t first, LaneFloats& squared) {
     if (first == 0) boxes_ += block.count;
     const Floats d;

@@ -323,7 +323,7 @@ using PacketWalk = BlockWalk<PacketSearch>;
 /// So many walk at a time: enough to wait for memory together, and few enough that their stacks stay near.
 constexpr std::size_t rays_abreast = 12;
 
-/// Of so many blocks a tree stays in a near cache, and there is nothing to wait for.
+/// A tree of so many blocks stays in a near cache, and there is nothing to wait for.
 constexpr std::size_t most_near_blocks = 1536;
 
 /// Some of the rays, each by itself.

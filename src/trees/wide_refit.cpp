@@ -179,8 +179,9 @@ double half_area(const WideBlock& block, std::size_t lane) {
   return 4 * ((x * y + y * z) + z * x);
 }
 
-/// Of the boxes around several others, in the mean of logarithms: their sum would tell of the largest alone, of a floor
-/// and not of all that stands upon it. What has no area counts as far less than any other. 0 where there are none.
+/// The geometric mean of the half areas of the boxes around several others, by logarithms: their sum would tell of the
+/// largest alone, of a floor and not of all that stands upon it. What has no area counts as far less than any other. 0
+/// where there are none.
 double mean_half_area(std::span<const WideBlock> blocks) {
   constexpr double least = 0x1p-200;
   double product = 1, count = 0;

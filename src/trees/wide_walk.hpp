@@ -42,8 +42,8 @@ struct WideCull {
   WideAxes of_b;
 };
 
-/// What a walk finds: pairs (item of the first tree, item of the second), in batches. Of one tree with itself: two
-/// different items, the lesser first.
+/// What a walk finds: pairs (item of the first tree, item of the second), in batches. Where a tree is walked with
+/// itself, these are two different items, the lesser first.
 class WideVisitor {
  public:
   /// Says whether it wants more.

@@ -24,7 +24,7 @@ constexpr double upward = 1 + 0x1p-44;
 // Corners lie within 2 of the tree's origin, and to take that off them rounds a coordinate by 2⁻⁵³ of it at most.
 constexpr double of_corners = 0x1p-50;
 
-/// Of a triangle, around its middle.
+/// The moments of a triangle, around its middle.
 WindingMoments moments_of_triangle(const std::array<Vec3, 3>& t) {
   WindingMoments m;
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = t[2] - t[1];
@@ -139,7 +139,7 @@ WindingPart winding_part(const WindingMoments& m, const Vec3& point, double off)
   constexpr double quarter_of_pi_inverse = 0x1.45f306dc9c883p-4;  // 1 / (4π)
   const Vec3 r = m.centre - point;
   const double squared = dot(r, r), distance = std::sqrt(squared);
-  // Of the sphere around the centre, with all that may be off.
+  // The radius of the sphere around the centre, with all that may be off.
   const double radius = upward * m.radius + 2 * off, gap = distance * (1 - 0x1p-44) - radius;
   if (!(gap > 4 * off) || !(gap > 0x1p-10 * distance)) return {0, infinity};
 

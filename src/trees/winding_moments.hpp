@@ -29,7 +29,7 @@ struct WindingMoments {
   double levels = 0;  ///< of the tree below: the k-th moments are off by at most levels · 2⁻⁴⁶ · size · radiusᵏ
 };
 
-/// Of every block. For a tree without blocks none.
+/// The moments of every block; none for a tree without blocks.
 [[nodiscard]] std::vector<WindingMoments> winding_moments(const WideBvh& tree, const TriangleMesh& mesh);
 
 /// A bracket of the part of the sphere around a point that a surface covers.
@@ -38,8 +38,8 @@ struct WindingPart {
   double bound = 0;  ///< infinite where the point is too near to tell
 };
 
-/// Of what a block holds, seen from a point in the same coordinates. Everything, the point too, may lie up to `off`
-/// from where it is said to be. The bound is derived in docs/methods/winding-numbers.md.
+/// The part covered by what a block holds, seen from a point in the same coordinates. Everything, the point too, may
+/// lie up to `off` from where it is said to be. The bound is derived in docs/methods/winding-numbers.md.
 [[nodiscard]] WindingPart winding_part(const WindingMoments& moments, const Vec3& point, double off);
 
 }  // namespace toccata

@@ -14,7 +14,7 @@ struct BodyOnTheWay {
   Aabb box;  ///< around all of its way
 };
 
-/// By index.
+/// The bodies that are on their way, by index.
 using BodiesOnTheWay = std::map<Index, BodyOnTheWay>;
 
 }  // namespace toccata

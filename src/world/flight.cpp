@@ -43,7 +43,8 @@ double magnitude_of(const Aabb& box) {
   return largest_magnitude(magnitudes(box.lower)) + largest_magnitude(magnitudes(box.upper));
 }
 
-/// Of a compound the parts are placed in it first, each by a pose that is rounded.
+/// How large the coordinates of a model are. The parts of a compound are placed in it first, each by a pose that is
+/// rounded.
 double magnitude_of(const Model& model) {
   const auto* compound = std::get_if<Compound>(&model.shape());
   if (compound == nullptr) return magnitude_of(body_box(Body{model}, {}, [] { return std::string("a part"); }));
@@ -86,7 +87,7 @@ ExpectedFlight expectation_of(const Body& body, const TurningParts& parts, const
   return is_slower ? ExpectedFlight{{{}, 0, body.max_speed, 0}} : on;
 }
 
-/// Of a convex shape around a point, in its own frame.
+/// The radius of a ball around a point within a convex shape, in its own frame; 0 where none is known.
 double inner_radius(const Model& model, const Vec3& centre, double size) {
   if (const auto* box = std::get_if<Box>(&model.shape()))
     return std::min({box->half_extents().x, box->half_extents().y, box->half_extents().z});

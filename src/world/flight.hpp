@@ -36,8 +36,8 @@ struct LastSights {
 
 [[nodiscard]] Sight sight_of(const TurningParts& parts, const Pose& pose);
 
-/// Within the body at its pose, which is a rotation but for 2⁻²⁰, and at every other such pose around where the centre
-/// is then. Of radius 0 where no ball is known to be.
+/// A ball within the body at its pose, which is a rotation but for 2⁻²⁰, and at every other such pose around where the
+/// centre is then. Its radius is 0 where no ball is known to be.
 [[nodiscard]] Ball inner_ball(const TurningParts& parts, const Pose& pose);
 
 /// How a body is expected to move for some steps from one on. A step is the unit of time.
@@ -61,7 +61,7 @@ class Flight {
   [[nodiscard]] bool is_at_rest() const { return is_at_rest_; }
   /// All its poses are rotations but for 2⁻²⁰: its inner ball stays as it is.
   [[nodiscard]] bool is_rigid() const { return is_rigid_; }
-  /// Of the centre, and of all points but for how the body turns.
+  /// The motion of the centre, and of all points but for how the body turns.
   [[nodiscard]] const SpaceTimeMotion& motion() const { return motion_; }
   /// How much farther than that a point may go in a step, turning evenly.
   [[nodiscard]] double turning_speed() const { return turning_speed_; }

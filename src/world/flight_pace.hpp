@@ -20,9 +20,9 @@ struct StepWork {
 /// it ends, and the next one is tried later and later.
 class FlightPace {
  public:
-  /// Of the next stretch, or of the present one.
+  /// The number of steps of the next stretch, or of the present one.
   [[nodiscard]] int steps() const { return steps_; }
-  /// Of the plain way.
+  /// Takes note of the work of a step taken the plain way.
   void note_plain(const StepWork& work) {
     plain_ = cost_of(work);
     plain_pairs_ = static_cast<double>(work.looked);
@@ -35,7 +35,7 @@ class FlightPace {
   [[nodiscard]] bool shorten();
   /// A stretch begins.
   void begin();
-  /// Of a stretch. Returns whether it goes on.
+  /// Takes note of the work of a step of a stretch. Returns whether the stretch goes on.
   [[nodiscard]] bool note_flown(const StepWork& work);
   /// The stretch is over. Returns how many plain steps come before the next.
   [[nodiscard]] int end_well();
@@ -45,7 +45,7 @@ class FlightPace {
  private:
   /// In nanoseconds, on a machine of about 2024. Only ratios matter.
   [[nodiscard]] static double cost_of(const StepWork& work);
-  /// Of the next stretch.
+  /// Chooses how many steps the next stretch has.
   void choose_steps();
   /// The length that was tried was no better.
   void end_trial();

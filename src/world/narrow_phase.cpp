@@ -164,7 +164,7 @@ bool has_first_contact(const Body& a, const Body& b) {
          PairState::defined;
 }
 
-/// Of two shapes of which there is at most one.
+/// The only manifold of two shapes, which have at most one.
 Manifold plain(std::span<const ModelManifold> manifolds) {
   return manifolds.empty() ? Manifold{} : static_cast<const Manifold&>(manifolds[0]);
 }

@@ -71,7 +71,7 @@ class NarrowPhase {
 
  private:
   void decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
-  /// Of two bodies of which one at least has been on its way.
+  /// Adds the first contact of two bodies of which one at least has been on its way.
   void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
                          Workspace& workspace) const;
   [[nodiscard]] PairDetails details_of(const Body& a, const Body& b, bool in_contact, Workspace& workspace) const;

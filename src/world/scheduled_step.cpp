@@ -50,7 +50,7 @@ void World::State::want_lasting(const IndexPair& pair, UndecidedPair& wanted) co
   wanted.enough = schedule_->closing_in(pair, schedule_->steps_left());
   if (tells_details(options_) || schedule_->steps_left() <= few) return;
   wanted.inner = schedule_->inner_difference(pair, bodies_);
-  // Of two that stay a pair this is asked for besides, and costs as much as some steps.
+  // For two that stay a pair this is asked for besides, and it costs as much as some steps.
   const double most = std::max(std::min(greatest_depth(pair), wanted.inner.radius), 0.5 * wanted.margin);
   wanted.of_told = most > schedule_->closing_in(pair, few);
 }

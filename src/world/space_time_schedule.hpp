@@ -18,7 +18,7 @@ namespace toccata {
 /// Which pairs of bodies a step has to look at, after P. M. Hubbard (1995).
 ///
 /// For a stretch of steps bodies *fly*: each has a bound in space and time on where it can be (Flight), and the broad
-/// phase has the box around that of all the stretch. Of two bodies that fly, whose boxes overlap, it is computed when
+/// phase has the box around that of all the stretch. For two bodies that fly, whose boxes overlap, it is computed when
 /// they can meet at the earliest, and until then nobody looks at them. At each step it is tested for each body whether
 /// it is where its bound says. One that is not *lands*: it is in the broad phase with its own box again, as all bodies
 /// are without space_time, and its pairs are looked at each step.
@@ -41,13 +41,13 @@ class SpaceTimeSchedule {
   /// make a pair with them. Returns who flies.
   std::span<const Index> start(std::span<const Body> bodies, std::span<const Index> there,
                                std::span<const Aabb> reached);
-  /// Of a body that has just begun to fly: around where it can be in the whole stretch.
+  /// The box around where a body that has just begun to fly can be in the whole stretch.
   [[nodiscard]] Aabb box_of_flight(Index index, const Aabb& reached) const;
 
   /// The pairs to look at in this step, ascending, out of all that overlap in the broad phase. `count`: of bodies.
   std::span<const IndexPair> pairs_of_step(std::span<const IndexPair> overlapping, std::size_t count);
 
-  // Of a pair that has been looked at, both of which fly:
+  // The following are about a pair that has been looked at, both of which fly.
   /// They are apart, as boxes that hold what reaches to the other: looked at again when these can meet.
   void look_when_near(const IndexPair& pair, const Aabb& reached_a, const Aabb& reached_b);
   /// How far the points of the two move against each other until so many steps from now, and a little more.
@@ -117,7 +117,7 @@ class SpaceTimeSchedule {
   std::vector<TurningParts> parts_;
   std::vector<std::uint64_t> put_;  ///< when the body came
   std::vector<Sight> before_, earlier_;
-  // Of the stretch.
+  // What belongs to the stretch.
   std::vector<Index> moving_;                           ///< what flies, or has flown, and does not rest
   std::vector<Index> starting_;                         ///< ascending
   std::vector<std::vector<Appointment>> appointments_;  ///< by step of the stretch

@@ -52,7 +52,8 @@ std::optional<RationalPoint> foot(const RationalPoint& p, const std::vector<orac
   return q;
 }
 
-/// Of a point to the intersection: the least of the distances to feet on up to three planes that are within all.
+/// The squared distance of a point to the intersection: the least of the distances to feet on up to three planes that
+/// are within all.
 Rational squared_distance(const RationalPoint& p, const std::vector<oracle::HalfSpace>& planes) {
   std::optional<Rational> least;
   const auto take = [&](const std::vector<oracle::HalfSpace>& chosen) {

@@ -199,7 +199,7 @@ TEST(VolumeQuestion, TheCovarianceOfASurfaceDoesNotDependOnHowItIsCut) {
 }
 
 TEST(VolumeQuestion, TheCovarianceOfATriangleIsThatOfItsPoints) {
-  // Of the corner triangle the integrals are known: variances 1/18, covariance −1/36. The formula as first printed
+  // The integrals of the corner triangle are known: variances 1/18, covariance −1/36. The formula as first printed
   // gives other numbers.
   const PrincipalAxes axes = principal_axes(std::vector<Triangle>{{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}});
   EXPECT_NEAR(axes.spread.x, std::sqrt(1.0 / 12), 1e-15);

@@ -18,7 +18,7 @@ template <class V>
 class EveryVolume : public testing::Test {};
 TYPED_TEST_SUITE(EveryVolume, AllVolumes::put_into<testing::Types>);
 
-/// Of a turned box with edges 2 · size around the centre.
+/// Points of a turned box with edges 2 · size around the centre.
 std::vector<Vec3> cloud(Random& random, const Vec3& centre, const Vec3& size, std::size_t count = 40) {
   const Mat3 axes = test::random_rotation(random);
   std::vector<Vec3> points;

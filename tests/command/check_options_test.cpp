@@ -16,7 +16,7 @@ using test::run_command;
 using test::TemporaryFolder;
 using Words = std::vector<std::string>;
 
-/// Of each option words that say something; of some with what they need beside them.
+/// Words for each option that say something; for some options with what they need beside them.
 const std::map<std::string, Words>& samples() {
   const Words pose{"1", "0", "0", "0", "1", "0", "0", "0", "1", "0.5", "0", "0"};
   const auto posed = [&](const char* option) {

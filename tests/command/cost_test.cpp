@@ -58,7 +58,7 @@ TEST_F(Cost, IsDrawnAtOnceAndFromAReportThatWasKept) {
   EXPECT_EQ(drawing("cost.svg"), drawing("again.svg"));
 }
 
-/// Of the answer of now; a difference is told by the row's own key, as times put rows anywhere.
+/// What is drawn is the answer of now; a difference is told by the row's own key, as times put rows anywhere.
 TEST_F(Cost, ACaseIsDrawnAndItsRowsAreNamed) {
   ASSERT_EQ(cost({"--quick", "--volumes", "aabb,obb", "--save-case", "case.json"}).exit_code, 0);
   const auto drawn = run_command({"cost", "case.json", "--svg", "case.svg"}, folder.path());

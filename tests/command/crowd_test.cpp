@@ -139,7 +139,7 @@ TEST(CrowdCommand, BoundsMayBeBallsAndTurnedBoxes) {
   EXPECT_TRUE(told.out.starts_with("50 oriented boxes, uniform, 1 frame\n")) << told.out;
 }
 
-/// Of boxes and of bodies: a case answers again with the same pairs, is drawn, and tells where it has others.
+/// For boxes and for bodies: a case answers again with the same pairs, is drawn, and tells where it has others.
 TEST(CrowdCommand, CasesAreAnsweredAgainBitForBit) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"--count", "60", "--bounds", "balls"}, {"--world", "--count", "60"}}) {

@@ -110,7 +110,7 @@ TEST(MadeShapesCommand, WhatWasMadeIsDrawn) {
   }
 }
 
-/// Of the scale and unit that are given: the table, the report and what is drawn.
+/// The table, the report and what is drawn are in the scale and unit that are given.
 TEST(MadeShapesCommand, PartsAreToldWhereTheyAreDrawn) {
   const TemporaryFolder folder;
   folder.write("spike.off", spike("1"));

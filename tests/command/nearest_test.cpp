@@ -92,7 +92,7 @@ TEST(NearestCommand, TheColumnsDoNotDependOnWhatIsFound) {
   EXPECT_EQ(plain.out, "point,rank,object,face,triangle,lower,upper,x,y,z,status\n0,0,,,,,,,,,\n") << plain.err;
 }
 
-/// Of a scene of all kinds of shapes: whose surface is nearest, and inside of which object the point is.
+/// In a scene of all kinds of shapes: whose surface is nearest, and inside of which object the point is.
 TEST(NearestCommand, OfASceneOfShapesItTellsTheNearestSurfaceAndWhatHoldsThePoint) {
   const TemporaryFolder folder;
   const std::string scene = folder

@@ -42,7 +42,7 @@ const std::vector<Words> questions = {
     {"decompose", "gen:gear", "--parts", "3", "--concavity", "0.25"},
     {"minkowski", "gen:box", "bow.off", "--hull", "--difference", "--point", "0.5", "-0.0", "9"}};
 
-/// Of the others lines of values are no form.
+/// Whether lines of values are a form of the answer, as for all questions but these three.
 bool has_lines(const Words& question) {
   return question[0] != "inspect" && question[0] != "decompose" && question[0] != "minkowski";
 }
@@ -186,7 +186,7 @@ TEST(ReplayCommand, ViewSaysWhenOptionsAskAnotherQuestion) {
   EXPECT_NE(run.err.find("case.json holds a question, distance, which is not asked"), std::string::npos) << run.err;
 }
 
-/// Of how far apart they are it tells nothing.
+/// That meshes are open matters for `check`; for how far apart they are it tells nothing.
 TEST(ReplayCommand, ViewWarnsOfOpenMeshesWhereTheyMatter) {
   const TemporaryFolder folder;
   write_inputs(folder);

@@ -14,7 +14,7 @@ using oracle::Rational;
 
 Rational exact(const DoubleWord& a) { return oracle::exact(a.high) + oracle::exact(a.low); }
 
-/// Of any exponent within 30 of 0, and often with a low part much smaller than it might be.
+/// A random number of any exponent within 30 of 0, and often with a low part much smaller than it might be.
 DoubleWord random_word(Random& random) {
   const auto number = [&](int least, std::uint64_t exponents) {
     const int exponent = least + static_cast<int>(random.below(exponents));

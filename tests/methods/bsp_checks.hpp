@@ -32,7 +32,7 @@ struct BspSubject {
   }
 };
 
-/// Of all closed meshes, made once.
+/// The subjects of all closed meshes, made once.
 inline const std::vector<BspSubject>& bsp_subjects() {
   static const std::vector<BspSubject> all = [] {
     std::vector<BspSubject> subjects;
@@ -46,7 +46,7 @@ inline Model model_of_placed(const PlacedPolytope& placed) {
   return std::visit([](const auto& shape) { return Model(shape); }, placed.shape);
 }
 
-/// Of any kind, turned, about somewhere, and some 1/2 to 1/64 of the size.
+/// A shape of any kind, turned, about somewhere, and some 1/2 to 1/64 of the size.
 inline PlacedPolytope random_placed(const Vec3& about, double size, Random& random) {
   const ConvexShape shape = random_convex(convex_kinds()[random.below(convex_kinds().size())], random);
   const double scale = std::ldexp(size, -1 - static_cast<int>(random.below(6)));
@@ -59,7 +59,7 @@ inline PlacedPolytope random_placed(const Vec3& about, double size, Random& rand
       shape);
 }
 
-/// Of points of the mesh, its planes and its lines; none of it is turned, so that much of it touches.
+/// A shape made of points of the mesh, its planes and its lines; none of it is turned, so that much of it touches.
 inline PlacedPolytope telling_placed(const std::vector<Vec3>& points, double size, Random& random) {
   const auto point = [&] { return points[random.below(points.size())]; };
   const Vec3 a = point(), b = point(), c = point();

@@ -74,7 +74,7 @@ TEST(BspTrace, ThatIsFreeMeetsNothing) {
   EXPECT_GT(met, 200U);
 }
 
-/// Of a box its six planes alone.
+/// The tree of a box, by its six planes alone.
 BspTree tree_of_box() { return BspTree(Model(box_between({-1, -1, -1}, {1, 1, 1})), {.axis_planes = false}); }
 
 BspTrace trace_of_ball_through(const BspTree& tree, const Vec3& point, const Vec3& way, BspBevels bevels) {

@@ -49,7 +49,7 @@ SweepResult run_bsp_trees(const std::string& family, std::uint64_t seed, std::ui
     Random random(case_seed);
     const std::vector<BspSubject>& all = bsp_subjects();
     std::size_t number = random.below(all.size());
-    // Of those where all is decided by rationals a few are enough.
+    // A few are enough of those where all is decided by rationals.
     if (is_slow(all[number].name) && random.below(16) != 0) number = 0;
     const std::string fault = fault_of(family, BspCase(all[number], random), random);
     return fault.empty() ? "" : all[number].name + ": " + fault;

@@ -238,7 +238,7 @@ TEST(Cost, BadInputIsToldInWords) {
   EXPECT_NE(message_of({{Pose{}, infinite}}, options).find("not finite"), std::string::npos);
 }
 
-/// Of a row of which only the sizes of the terms are given.
+/// A row of which only the sizes of the terms are given.
 CostRow row_of(CostVolume volume, std::size_t updates, std::size_t tests, std::size_t items) {
   CostRow row;
   row.volume = volume;

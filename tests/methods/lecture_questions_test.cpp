@@ -108,7 +108,7 @@ TEST(LectureQuestion, SixBitsNameTheNearestFeatureOfATurnedBoxAndNotOfASheared) 
     hits += overlap_by_codes(sphere, half, turned);
   }
   EXPECT_GT(hits, 100);
-  // Of a sheared box the planes are not at right angles. Above its slanted end the code says "the top", whose nearest
+  // The planes of a sheared box are not at right angles. Above its slanted end the code says "the top", whose nearest
   // point in its own coordinates is an edge's; the ball meets the slope.
   const Pose sheared = Pose::from_numbers({1, 3, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
   int wrong = 0;

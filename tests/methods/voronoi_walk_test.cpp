@@ -152,7 +152,7 @@ TEST(VoronoiWalk, WhatIsKeptMayBeOfAnotherPair) {
   }
 }
 
-// Of a box the vertices are in the world, its regions in its own frame.
+// The vertices of a box are in the world, its regions in its own frame.
 TEST(VoronoiWalk, AnyFeaturesOfTurnedBoxesMayBeKept) {
   const Box box({0.5, 1, 1.5});
   const VoronoiRegions regions(box);

@@ -80,7 +80,7 @@ TEST(DeformingMesh, ASheetThatFoldsOntoItselfMeetsItselfAndNeighboursDoNotCount)
   EXPECT_FALSE(wrong_impacts(DeformingPair(folding), impacts(folding), FeatureJudge::oracle));
 }
 
-/// Of every family: exactly the pairs that the oracle finds, and their times.
+/// In every family exactly the pairs that the oracle finds are told, and their times.
 TEST(DeformingMesh, EveryPairOfFeaturesIsToldAsTheOracleTellsIt) {
   for (const std::string& family : deforming_families()) {
     Random random(11);

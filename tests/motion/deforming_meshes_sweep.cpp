@@ -89,7 +89,7 @@ const bool deforming_known = register_sweep({.name = "deforming-meshes",
                                              .shard = 50,
                                              .thin_slice = 1});
 
-/// Of one mesh and of two, and how many pairs of features were judged, at least one.
+/// The verdict on one mesh and on two, and how many pairs of features were judged, at least one.
 ImpactVerdict verdict_on_pairs(const std::string& family, std::uint64_t case_seed) {
   Random random(case_seed);
   const DeformingMesh a = random_deforming_case(family, random).made(),

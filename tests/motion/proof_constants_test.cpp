@@ -47,7 +47,7 @@ TEST(ProofConstants, ADotProductWithACornerCoversItsRoundings) {
   EXPECT_LE(abs(exact(dot(direction, corner)) - truth), exact(span.slack(direction)));
 }
 
-// Of numbers of one size and times of few bits the sum is off by a unit and a half at most.
+// The sum of numbers of one size and times of few bits is off by a unit and a half at most.
 TEST(ProofConstants, ABoxAroundAMomentContainsThePointThen) {
   Random random(8);
   for (int i = 0; i < 1000; ++i) {
@@ -77,7 +77,8 @@ TEST(ProofConstants, ASeparationAlongADirectionIsNotTooShort) {
   EXPECT_GE(length * length, 3);
 }
 
-// Of length 1 but for rounding: its square is more by 0.8 units, and the sum of its coordinates is rounded up by one.
+// A direction of length 1 but for rounding: its square is more by 0.8 units, and the sum of its coordinates is rounded
+// up by one.
 const Vec3 long_direction{0x1.1c01aa03be896p-1, 0x1.aa027f059dce1p-1, 0};
 
 template <class S>

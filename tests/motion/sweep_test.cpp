@@ -103,7 +103,7 @@ TEST(RigidSweep, AMeshOfABoxIsMetAsTheBox) {
   }
 }
 
-/// Of all triangles of both, one by one.
+/// The first hit of all triangles of both, one by one.
 std::optional<ShapeHit> by_all_triangles(const TriangleMesh& a, const RigidMotion& motion_a, const TriangleMesh& b,
                                          const RigidMotion& motion_b) {
   const auto triangle = [](const TriangleMesh& mesh, Index i) {
@@ -137,7 +137,7 @@ TEST(RigidSweep, TwoMeshesAreMetAsTheirTrianglesOneByOne) {
   EXPECT_GT(hits, 2);
 }
 
-/// Of each kind, about one unit large.
+/// One shape of each kind, about one unit large.
 std::vector<Shape> one_of_each() {
   std::vector<Shape> shapes{Point{},
                             Segment({-1, 0, 0}, {1, 0, 0}),
@@ -262,7 +262,7 @@ TEST(RigidSweep, ABallThatSpinsOnItsWayIsMetWhereAndWhenItIsWithoutThat) {
 TEST(RigidSweep, ARodThatTurnsPastAPegInALittleWayIsFree) {
   const Model rod = Box({1, 0.02, 0.02}), peg = Box({0.05, 0.05, 0.5});
   for (const double gap : {1e-2, 1e-4, 1e-6, 1e-9}) {
-    // Of all that the rod passes the corners of its ends are the farthest, at √(1 + 0.02²).
+    // The corners of the rod's ends are the farthest of all that the rod passes, at √(1 + 0.02²).
     const double corner = std::hypot(1.0, 0.02);
     const Pose standing = Pose::translation(0, corner + 0.05 + gap, 0);
     EXPECT_FALSE(sweep(rod, turned_about_z({}, 0.5), peg, standing).hit) << gap;

@@ -85,7 +85,7 @@ TEST(ConvexExtremes, TheCommonPointOfHugeHullsIsTheSameAtEveryLevel) {
   }
 }
 
-/// Of height 1e-17, which vanishes beside the 1 of its place.
+/// A box of height 1e-17, which vanishes beside the 1 of its place.
 PosedPolytope sheet_that_rounding_made() { return PosedPolytope(Box({1, 1, 1e-17}), Pose::translation(0, 0, 1)); }
 
 TEST(ConvexExtremes, ASolidThatRoundingHasFlattenedHasNoDepth) {

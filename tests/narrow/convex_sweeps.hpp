@@ -18,7 +18,7 @@ struct SeenCase {
   PosedPolytope b;
   oracle::ConvexSet set_a;
   oracle::ConvexSet set_b;
-  /// Of the last case of the sweep: what it holds is of no use here, and must do no harm.
+  /// The cache of the last case of the sweep: what it holds is of no use here, and must do no harm.
   SimplexCache& stale;
 };
 

@@ -72,7 +72,7 @@ constexpr GjkOptions manners[] = {{GjkSupport::scan, GjkAcceleration::none},
                                   {GjkSupport::hill_climbing, GjkAcceleration::none},
                                   {GjkSupport::hill_climbing, GjkAcceleration::nesterov}};
 
-/// Of questions about two hulls that are turned and moved, all from the beginning.
+/// The counts of questions about two hulls that are turned and moved, all from the beginning.
 ConvexCounts counts_of(std::size_t vertices, const GjkOptions& options) {
   Random random(2);
   SimplexCache workspace;

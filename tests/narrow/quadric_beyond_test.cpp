@@ -16,7 +16,7 @@ class TrianglesAround {
  public:
   explicit TrianglesAround(double size) : size_(size) {}
 
-  /// Of the size of the shape or smaller, up to three sizes away.
+  /// A triangle of the size of the shape or smaller, up to three sizes away.
   Triangle next() {
     const Vec3 middle = 3 * size_ * vector();
     const double part = size_ * std::exp2(-8 * std::fabs(unit_(random_)));

@@ -18,7 +18,7 @@ namespace toccata::test {
 
 using QuadricShape = QuadricShapes::put_into<std::variant>;
 
-/// Of each kind: what the oracle calls the set, and the shape that is made of half axes, of which it may have fewer.
+/// For each kind: what the oracle calls the set, and the shape that is made of half axes, of which it may have fewer.
 template <class S>
 struct QuadricTruth;
 template <>

@@ -31,7 +31,7 @@ PosedQuadric ball_in_contact(double radius, const Vec3& centre) {
   return PosedQuadric(Ellipsoid({radius, radius, radius}), {{}, centre});
 }
 
-/// Of their centres, exactly.
+/// The squared distance of two centres, exactly.
 Rational squared_between(const Vec3& p, const Vec3& q) { return oracle::dot(exact(p) - exact(q), exact(p) - exact(q)); }
 
 // Products with the last two coordinates are half of a last place, and lost one after the other.
@@ -88,7 +88,7 @@ TEST(QuadricContactConstants, VolumesOfSliversAreRounded) {
   EXPECT_FALSE(are_surely_around_origin(corners));
 }
 
-// Of balls of whole radii and centres, the one inside of the other: they touch where the point of the greatest value,
+// Two balls of whole radii and centres, the one inside of the other: they touch where the point of the greatest value,
 // which is rounded, lies a little outside of the ball.
 TEST(QuadricContactConstants, ABallThatTouchesAnotherFromWithinIsHeld) {
   const double radius = 0x1.fcp+0, inner = 0x1.88p-1;
@@ -220,7 +220,7 @@ TEST(QuadricContactConstants, ATipJustBeyondARoundedShapeIsNotHeld) {
   EXPECT_NE(is_held_by_offset(QuadricBody(cone, PairFrame{}), core, radius + 0x1p-60), Within::yes);
 }
 
-// Of a ball, beside a tiny one: the length of the direction rounds up, and its product with the point that lies there,
+// For a ball beside a tiny one the length of the direction rounds up, and its product with the point that lies there,
 // drawn in by ten roundings, nearly as much.
 TEST(QuadricContactConstants, WhatABallReachesBeyondItsPointIsRounded) {
   const Vec3 centre{-0x1.d54700bc65f08p-2, -0x1.30b8ba70285bp-1, -0x1.4b05f1dd839d8p-4};

@@ -200,9 +200,9 @@ Containment containment_at(double factor, const PlacedQuadric& a, const B& b) {
   return relation(posed(resized(a, factor)), posed(b)).containment;
 }
 
-/// Of A made larger by a factor. What is told of containment is not refuted; and none is told where no direction shows
-/// it, only where it is told of an A that is a hundredth larger or smaller: near the least that holds, few directions
-/// do.
+/// What is wrong with the containment that is told of A made larger by a factor; empty if nothing is. What is told of
+/// containment is not refuted; and none is told where no direction shows it, only where it is told of an A that is a
+/// hundredth larger or smaller: near the least that holds, few directions do.
 template <class B>
 std::string containment_fault(const PlacedQuadric& plain_a, double factor, const B& b, const std::string& regime,
                               Random& random) {

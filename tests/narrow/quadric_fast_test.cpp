@@ -207,7 +207,7 @@ TEST(QuadricFast, BoxesThatMeetRoundShapesByAHair) {
   EXPECT_GT(counted.met, 50);
 }
 
-// Of more than eight vertices.
+// The hulls have more than eight vertices.
 TEST(QuadricFast, HullsOfManyVertices) {
   Random random(9);
   for (int i = 0; i < 24; ++i) {

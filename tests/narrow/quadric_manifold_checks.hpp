@@ -16,7 +16,8 @@ inline oracle::FinePoint fine_of(const Vec3& p) { return {oracle::Fine(p.x), ora
 
 inline const Vec3& position_of(const Manifold& m, int i) { return m.points[static_cast<std::size_t>(i)].position; }
 
-/// Of the hull of the points, seen along the normal: the greatest triangle, or the quadrilateral of two diagonals.
+/// The area of the hull of the points, seen along the normal: the greatest triangle, or the quadrilateral of two
+/// diagonals.
 inline double hull_area(const Manifold& m) {
   const auto twice = [&](int i, int j, int k, int l) {
     const Vec3 u = position_of(m, j) - position_of(m, i), v = position_of(m, l) - position_of(m, k);

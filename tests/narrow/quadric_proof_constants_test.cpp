@@ -52,7 +52,7 @@ TEST(QuadricProofConstants, ADepthOfLeastDoublesInAHalfSpaceIsRoundedBothWays) {
   EXPECT_GE(square_of(in_least_doubles(more.upper) - 2) * 13, square_of(2 * 161 + 3 * 114));
 }
 
-// Of balls, between them is the distance of the centres less both radii, and the depth is the opposite.
+// The distance between balls is that of the centres less both radii, and the depth is the opposite.
 TEST(QuadricProofConstants, ADistanceOfLeastDoublesIsRoundedBothWays) {
   const Distance less = distance(tiny_ball(27, {0, 0, 0}), tiny_ball(2, {45, 54, 56}));
   EXPECT_LE(square_of(in_least_doubles(less.lower) + 27 + 2), 45 * 45 + 54 * 54 + 56 * 56);
@@ -295,7 +295,7 @@ QuadricBody body_at(const Vec3& point, const Vec3& more) {
   return QuadricBody(sum);
 }
 
-// Of A − B, a point that is (-s, -s, 2^-20) and in doubles (0, 0, 2^-20), along the directions around the third axis.
+// A − B has a point that is (-s, -s, 2^-20) and in doubles (0, 0, 2^-20), along the directions around the third axis.
 TEST(QuadricProofConstants, WhereTheHighestPointOfACapLiesIsRounded) {
   const double height = 0x1p-20, tangent = 0x1p-13, least = height * (1 - 0x1p-27), s = 0x1.74p-53;
   const QuadricBody a = body_at({1, 1, 1 + height}, {-0x1.fp-55, -0x1.fp-55, 0});
@@ -351,7 +351,7 @@ TEST(QuadricProofConstants, ACylinderSeenNearlyAlongItsAxisHasAWidth) {
   const PosedQuadric cylinder(Cylinder(1, 1));
   const Mat3 turn{{Vec3{0.8, 0, 0.6}, Vec3{0, 1, 0}, Vec3{-0.6, 0, 0.8}}};
   const PosedPolytope box(Box({1.92, 0.5, 1.06}), {turn, {0x1p-28, 0, 3 - 0x1p-32}});
-  // Of the edge both ends, and the middle, which is in the cylinder.
+  // Both ends of the edge, and the middle, which is in the cylinder.
   const Vec3 end = box.vertex(1), other = box.vertex(3);
   ASSERT_EQ(end.y, -other.y);
   for (const Vec3& v : {end, other}) ASSERT_TRUE(v.x > 0 && v.x < 1 && v.z > 0 && v.z < 1);

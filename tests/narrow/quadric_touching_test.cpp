@@ -303,7 +303,7 @@ TEST(QuadricTouching, SlantedPlanesOfFewDigits) {
                   PosedPolytope(Triangle({Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{1, 1, 0.5}})), down, "a tip on a slope");
 }
 
-// Of the plane that proves touching: as exact as the relation to a half-space, which it does not use.
+// Heights over the plane that proves touching are as exact as the relation to a half-space, which they do not use.
 TEST(QuadricTouching, HeightsOverPlanesAreThoseOverHalfSpaces) {
   std::mt19937_64 random(5);
   const auto whole = [&](int most) {

@@ -25,7 +25,8 @@ class RoundPairs {
  public:
   explicit RoundPairs(std::uint64_t seed) : random_(seed) {}
 
-  /// Of two kinds, as deep in each other, or as far apart where it is negative, along the way between near points.
+  /// A pair of two kinds, as deep in each other, or as far apart where it is negative, along the way between near
+  /// points.
   ConvexCase near(std::size_t kind_a, std::size_t kind_b, double depth) {
     ConvexCase pair{{shape(kind_a), pose()}, {shape(kind_b), pose()}};
     pair.b.pose.offset = pair.a.pose.offset + 4.0 * direction();
@@ -256,7 +257,7 @@ TEST(RoundDepthsOf, NearlyParallelCapsulesAgreeWithRationals) {
   }
 }
 
-// Of boxes that are apart the direction parts them, by the corners as they are.
+// The direction of boxes that are apart parts them, by the corners as they are.
 TEST(RoundDepthsOf, BoxesThatAreApartTellADirectionThatPartsThem) {
   RoundPairs pairs(82);
   for (int k = 0; k < 200; ++k) {

@@ -33,7 +33,7 @@ class ShallowPairs {
     }
   }
 
-  /// Of A and B, somewhere, B as deep in A along the way between two near points of the two.
+  /// A pair of A and B, somewhere, with B as deep in A along the way between two near points of the two.
   ConvexCase pair(std::size_t kind_a, std::size_t kind_b, double depth) {
     ConvexCase pair{{shape(kind_a), pose()}, {shape(kind_b), pose()}};
     pair.b.pose.offset = pair.a.pose.offset + 4.0 * direction();
@@ -102,7 +102,7 @@ TEST(ShallowDepthOf, BoxesThatRestAgreesWithRationals) {
     for (int k = 0; k < 4; ++k) EXPECT_EQ(wrong_with_depth(pairs.resting(depth)), "");
 }
 
-// Of spheres and boxes in general position nothing is left to exact arithmetic, and nothing is rougher than it is
+// Nothing is left to exact arithmetic for spheres and boxes in general position, and nothing is rougher than it is
 // there.
 TEST(ShallowDepthOf, GrownShapesIsBetweenNeighbouringDoubles) {
   ShallowPairs pairs(32);

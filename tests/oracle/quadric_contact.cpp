@@ -96,7 +96,7 @@ std::optional<Chord> chord_of_unit(FineKind kind, const Vec3& p, const Vec3& d) 
   return Chord{zero(left, low), zero(left, high)};
 }
 
-/// Of a hull: every triangle of vertices lies in it, and its boundary is made of such.
+/// The chord of a hull: every triangle of vertices lies in it, and its boundary is made of such.
 std::optional<Chord> chord_of_hull(const std::vector<Vec3>& v, const Vec3& p, const Vec3& d) {
   std::optional<Chord> found;
   for (std::size_t i = 0; i < v.size(); ++i)

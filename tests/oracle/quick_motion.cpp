@@ -55,7 +55,7 @@ bool surely_holds_origin(const SimplexOf<Number>& s, Number slack) {
     const Point u = q - p, v = r - p, normal = cross(u, v);
     const Number volume = dot(normal, p), size = length(normal);
     if (!(std::abs(volume) > slack * size + 0x1p-59L * length(u) * length(v) * length(p))) return false;
-    // Of every second face these three corners turn the other way.
+    // These three corners turn the other way in every second face.
     const int seen = (volume > 0) == (i % 2 == 0) ? 1 : -1;
     if (side != 0 && seen != side) return false;
     side = seen;

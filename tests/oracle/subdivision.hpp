@@ -19,9 +19,9 @@ struct RationalCage {
   std::vector<Rational> corners;                        ///< of each vertex
 };
 
-/// Of a face with the corners c_i come, in order, the faces (c_i, middle of c_i and c_i+1, middle of the face, middle
-/// of c_i−1 and c_i), of Loop without the middle of the face, and then the one of three middles. Of Loop the cosines
-/// are off by 10⁻¹⁸.
+/// A face with the corners c_i becomes, in order, the faces (c_i, middle of c_i and c_i+1, middle of the face, middle
+/// of c_i−1 and c_i), with Loop without the middle of the face, and then the one of three middles. With Loop the
+/// cosines are off by 10⁻¹⁸.
 [[nodiscard]] RationalCage refined(const RationalCage& cage);
 
 }  // namespace toccata::oracle

@@ -21,7 +21,7 @@ std::vector<RationalPoint> without_flat_corners(std::vector<RationalPoint> corne
     const std::size_t count = corners.size();
     const RationalPoint& before = corners[(i + count - 1) % count];
     const RationalPoint& after = corners[(i + 1) % count];
-    // Of two corners a segment's ends are left; they are each other's both neighbours.
+    // Where two corners are left, they are a segment's ends, each of which is both neighbours of the other.
     const bool superfluous = count == 2 ? before == corners[i] : is_between(corners[i], before, after);
     if (superfluous) {
       corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));

@@ -289,7 +289,7 @@ Model random_part(Random& random) {
   }
 }
 
-/// Of any two models there are some exactly where they meet, and what they tell is in order.
+/// Any two models have manifolds exactly where they meet, and what these tell is in order.
 TEST(Manifolds, AreThereExactlyWhereModelsMeet) {
   Random random(17);
   std::size_t met = 0;

@@ -24,7 +24,7 @@ inline std::vector<PosedPolytope> elements_of(const Model& model, const Pose& po
   return elements;
 }
 
-/// Of every pair of elements, by no tree; faces are left 0.
+/// The cast of every pair of elements, by no tree; faces are left 0.
 inline ShapeHit cast_of_all_elements(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
   const std::vector<PosedPolytope> of_a = elements_of(a, query.pose_a), of_b = elements_of(b, query.pose_b);
   std::optional<ShapeHit> first;

@@ -16,7 +16,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using CgalTriangles = std::vector<Kernel::Triangle_3>;
 
-/// Of the world; none where a triangle has no area, which CGAL does not take.
+/// The triangles in the world; none where a triangle has no area, which CGAL does not take.
 std::optional<CgalTriangles> triangles_of(const TriangleMesh& mesh, const Pose& pose) {
   const auto vertices = mesh.vertices();
   const auto world = [&](Index i) {

@@ -135,7 +135,7 @@ TEST(MeshDistance, OfNestedShellsAndHelicesIsRightAtEveryGap) {
   }
 }
 
-/// Of a mesh and another shape, the least over the triangles.
+/// Expects the distance of a mesh and another shape to be the least over the triangles.
 void expect_least_of_triangles(const Model& mesh, const Model& shape, const PairQuery& query) {
   const Distance found = distance(mesh, shape, query);
   double lower = std::numeric_limits<double>::infinity(), upper = lower;

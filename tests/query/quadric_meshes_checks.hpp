@@ -156,7 +156,8 @@ inline TrianglesAlone each_by_itself(const std::vector<Triangle>& triangles, con
   return all;
 }
 
-/// Of a closed mesh, by angles in doubles where none of them is near the seam of its arc tangent; else in 50 digits.
+/// The winding number of a closed mesh, by angles in doubles where none of them is near the seam of its arc tangent;
+/// else in 50 digits.
 inline double winding_of_closed(const Vec3& p, const std::vector<Triangle>& triangles) {
   constexpr double pi = 3.14159265358979323846;
   double sum = 0;
@@ -225,7 +226,7 @@ inline std::string fault_in_digits(const TrianglesAlone& all, const std::vector<
     const auto& corners = triangles[number].vertex;
     const auto truth = oracle::fine_nearness(set, oracle::hull_set_of({corners.begin(), corners.end()}, 0), 1e-14, 400);
     if (truth.upper < oracle::Fine(all.lower)) return fmt::format("triangle {} is nearer than lower", number);
-    // Of shapes that touch exactly, the search of 60 digits leaves a gap of its own rounding.
+    // The search of 60 digits leaves a gap of its own rounding for shapes that touch exactly.
     const oracle::Fine rounding = oracle::Fine("1e-50") * reach_of(corners, placed);
     if (i == 0 && truth.lower > oracle::Fine(found.upper) + rounding)
       return "the nearest triangle is farther than upper";

@@ -357,7 +357,7 @@ std::string quadric_refusal(const Action& action) {
   return "no error";
 }
 
-// Of a lamp on a table: the surface of each part, and inside of some.
+// A lamp on a table: the surface of each part, and inside of some.
 TEST(QuadricModels, NearestPointsAndSignedDistancesOfCompounds) {
   const std::vector<CompoundPart> parts{{Box({2, 2, 0.5}), {}},
                                         {Cylinder(0.25, 1), Pose::translation(0, 0, 1.5)},

@@ -82,7 +82,7 @@ struct ExactHit {
   Index triangle;
 };
 
-/// Of every triangle.
+/// The exact hits of every triangle.
 inline std::vector<ExactHit> exact_hits(const RayCase& c) {
   std::vector<ExactHit> hits;
   for (Index i = 0; i < c.mesh.triangle_count(); ++i) {
@@ -110,7 +110,7 @@ inline std::string ray_fault(const RayCase& c, const RayHit& hit) {
   if (!of_named) return "the named triangle is not met";
   if (oracle::exact(hit.lower) > *of_named || oracle::exact(hit.upper) < *of_named) return "not in the interval";
   if (!(hit.upper - hit.lower <= 0x1p-41)) return "the interval is wide";
-  // Of two that are nearer to each other than the interval is wide either may be named.
+  // Either of two that are nearer to each other than the interval is wide may be named.
   if (first < oracle::exact(hit.lower)) return "not the first";
   return "";
 }

@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-/// Of every kind, near and far, one around others.
+/// Models of every kind, near and far, one around others.
 std::vector<SceneInstance> some_scene(Random& random) {
   const Model knot(generate_mesh("torus-knot"));
   const std::vector<double> heights{0, 1, 0, 2, 0, 1, 1, 1, 0};

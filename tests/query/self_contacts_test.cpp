@@ -181,7 +181,7 @@ TEST(SelfContacts, SegmentsThatCrossInTheirMiddles) {
 }
 
 TEST(SelfContacts, SharingIsToldByWorldCoordinates) {
-  // Of the two triangles' tips, 1e-9 apart, the pose makes one point.
+  // The pose makes one point of the two triangles' tips, which are 1e-9 apart.
   const TriangleMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-9, 0, 0}, {-1, 0, 0}, {0, -1, 0}},
                           {{0, 1, 2}, {3, 4, 5}});
   EXPECT_EQ(pairs_of(mesh), (Pairs{{0, 1}}));

@@ -77,7 +77,7 @@ std::string check_compound(const ConvexCase& first, const PlacedPolytope& second
   for (const Contact& contact : contacts(a, b, query)) found.push_back(contact.triangle_a);
   if (found != meeting) return "contacts";
   if (!is_solid(placed[0]) || !is_solid(placed[1]) || !is_solid(first.b)) return "";
-  // Of solids the interiors meet where those of a part do.
+  // The interiors of solids meet where those of a part do.
   const oracle::Relation one = relation_of(placed[0], first.b), other = relation_of(placed[1], first.b);
   const oracle::RelationKind kind = std::max(one.kind, other.kind);
   return relation(a, b, query).kind == kind_of(kind) ? "" : "relation of solids";

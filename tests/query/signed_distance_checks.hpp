@@ -49,7 +49,7 @@ inline PointCase closed_case(const std::string& family, Random& random) {
   return c;
 }
 
-/// Of all triangles.
+/// The squared distance of the point from all triangles.
 inline oracle::Rational squared_distance_from(const PointCase& c) {
   const oracle::ConvexSet point = oracle::point_set(c.point);
   oracle::Rational least(-1);

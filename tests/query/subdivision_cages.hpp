@@ -130,7 +130,8 @@ struct CageCase {
   SubdivisionScheme scheme;
 };
 
-/// Of both schemes: regular, extraordinary of valences from two to twelve, open, and of two that meet in a vertex only.
+/// Cages of both schemes: regular, extraordinary of valences from two to twelve, open, and of two that meet in a vertex
+/// only.
 inline std::vector<CageCase> cage_cases(Random& random) {
   std::vector<CageCase> cases{{cube_cage(), SubdivisionScheme::catmull_clark},
                               {cage_with_a_vertex_of_two(), SubdivisionScheme::catmull_clark}};

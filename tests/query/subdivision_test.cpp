@@ -129,7 +129,8 @@ TEST(Refine, EndsBeforeTheMeshGrowsTooLarge) {
 }
 
 TEST(Refine, ACreaseAllAroundMakesAPlaneEndInACircleOfSplines) {
-  // Of a flat square with smooth borders the corners of the limit are the border's B-spline: (a + 4 v + b) / 6.
+  // The corners of the limit of a flat square with smooth borders are those of the border's B-spline: (a + 4 v + b) /
+  // 6.
   const SubdivisionCage square(sheet_cage(1, false), SubdivisionScheme::catmull_clark);
   const SubdividedMesh refined = refine(square, {.tolerance = 0.01});
   const Vec3 corner = (Vec3{1, 0, 0} + Vec3{0, 1, 0}) / 6;

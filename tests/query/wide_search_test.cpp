@@ -43,7 +43,7 @@ double error_ratio(const WideAxes& axes, std::size_t axis, const std::array<orac
   oracle::Rational at_other = exact(axes.offset[axis]);
   for (std::size_t i = 0; i < 3; ++i) at_other += exact(axes.other[i][axis]) * other[i];
   const oracle::Rational error = at_own > at_other ? at_own - at_other : at_other - at_own;
-  // Of a slanted axis the form itself is rounded to floats, which the walk's slack covers.
+  // The form of a slanted axis itself is rounded to floats, which the walk's slack covers.
   const double slack = axis < WideAxes::straight ? 0 : 0x1p-20 * static_cast<double>(axes.own_size[axis]);
   return static_cast<double>(oracle::Rational(error / (exact(static_cast<double>(axes.pad[axis])) + exact(slack))));
 }

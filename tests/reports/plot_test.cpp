@@ -75,7 +75,7 @@ BarPlot bars_of(const std::vector<double>& values, const std::vector<double>& mo
 
 std::string svg_of(const BarPlot& plot) { return plot_svg(std::array{plot}); }
 
-/// Of the bars of a class.
+/// The widths of the bars of a class.
 std::vector<double> widths(const std::string& svg, const std::string& look) {
   std::vector<double> all;
   for (const auto& [kind, element] : parsed(svg))

@@ -287,7 +287,8 @@ Pair concentric_pair(const std::string& kind_a, const std::string& kind_b, Rando
   return pair;
 }
 
-/// Of the corners of the box around the origin, as many as the kind has; so that shapes of several kinds share much.
+/// A shape of the corners of the box around the origin, as many as the kind has; so that shapes of several kinds share
+/// much.
 Blueprint block(const std::string& kind, const Vec3& half_extents, double radius) {
   std::vector<Vec3> corners = corners_of(half_extents, {});
   const std::string core = core_of(kind);

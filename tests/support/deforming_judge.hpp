@@ -28,7 +28,7 @@ struct ImpactVerdict {
   std::size_t judged = 0;
 };
 
-/// Of `impacts` without a separation, by all pairs of features.
+/// The verdict on `impacts` without a separation, by all pairs of features.
 ImpactVerdict verdict_on_impacts(const DeformingPair& meshes, std::span<const MeshImpact> found, FeatureJudge judge);
 
 /// What is wrong with `impacts` without a separation, judged by all pairs of features; nothing where it is right.

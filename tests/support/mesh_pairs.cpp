@@ -39,7 +39,7 @@ bool is_first(const std::optional<Contact>& first, const std::vector<Contact>& a
   return all.empty() ? !first.has_value() : first.has_value() && same_contact(*first, all.front());
 }
 
-/// Of one order of the models.
+/// What is wrong in one order of the models; empty if nothing is.
 std::string fault_one_way(const Model& a, const Model& b, const PairQuery& query,
                           const std::vector<Contact>& expected) {
   if (!same(contacts(a, b, query), expected)) return "contacts";

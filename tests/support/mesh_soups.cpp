@@ -21,7 +21,7 @@ Mat3 sheared(Random& random) {
   return product(random_rotation(random), shear);
 }
 
-/// Of rank 2, or seldom 1: rows that are exact multiples or sums of others.
+/// A matrix of rank 2, or seldom 1: rows that are exact multiples or sums of others.
 Mat3 singular(Random& random) {
   Mat3 flat = random_rotation(random);
   flat[2] = random.below(4) == 0 ? Vec3{} : 2 * flat[0];

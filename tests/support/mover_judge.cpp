@@ -34,8 +34,9 @@ struct JudgedStep {
   }
 };
 
-/// Of a step in which nothing was met: it leads where it was wanted, and the casts of the library, which are made
-/// otherwise, meet nothing on the way, which is straight, and then down to the ground.
+/// What is wrong with a step in which nothing was met; empty if nothing is. Such a step leads where it was wanted, and
+/// the casts of the library, which are made otherwise, meet nothing on the way, which is straight, and then down to the
+/// ground.
 std::string fault_of_free_way(const JudgedStep& judged) {
   const MoverStep<Index>& step = judged.step;
   if (!step.contacts.empty() || step.stepped || !(judged.own == step.moved) || judged.is_near(judged.from.pose, 0))

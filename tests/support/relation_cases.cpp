@@ -113,7 +113,7 @@ Vec3 point_by_line(bool at_ends, Random& random) {
   return {x, 1 + 0x1p-52 * on_grid(random, 5), 0};
 }
 
-/// Of whole size, above the plane or below it, now and then on it.
+/// A point of whole coordinates, above the plane or below it, now and then on it.
 Vec3 point_off_line(double up, Random& random) {
   const Vec3 p = grid_point(random, 9);
   return {p.x, p.y - 3, up * p.z};

@@ -48,8 +48,8 @@ TEST(ProofConstants, TheWalkFromAPointCoversTheRoundingOfTheGaps) {
 
 constexpr double greatest_float_below_one = 1 - 0x1p-24;
 
-/// Of triangles that are single points, one at the given place, in a tree of units of 1 from the origin: what is told
-/// to be no nearer than the nearest.
+/// What is told to be no nearer than the nearest of triangles that are single points, one at the given place, in a tree
+/// of units of 1 from the origin.
 float upper_end_of_points(double x, const WidePoint& point) {
   constexpr double most = greatest_float_below_one;
   const std::vector<Vec3> points{{x, x, x}, {most, most, most}, {-most, -most, -most}};
@@ -235,7 +235,7 @@ TEST(ProofConstants, ARayThatStandsStillAlongAnAxisHardlyMovesInTheWalk) {
   EXPECT_EQ(count, 1);
 }
 
-/// Of a pose that changes nothing, and a tree within ±2.
+/// The frame of a pose that changes nothing, and a tree within ±2.
 RayFrame frame_of_nothing() { return {.back = Mat3{}, .offset = {}, .origin = {}, .box = {{-2, -2, -2}, {2, 2, 2}}}; }
 
 /// By itself, and as one of many.

@@ -101,7 +101,7 @@ def main():
             run(folder, TOCCATA, "view", *words, "--up", "y", "--glb", file)
             found, lower, upper = read_by_assimp(run(folder, "assimp", "info", file))
             expected = contents(folder / file)
-            # Of triangles of a contact area that rounding has left a line of it makes a mesh of lines.
+            # Assimp makes a mesh of lines of those triangles of a contact area that rounding has left as a line.
             assert found.pop("Meshes") >= expected.pop("Meshes"), f"{case}: parts of meshes are missing"
             assert found == expected, f"{case}: Assimp finds {found} instead of {expected}"
             own_lower, own_upper = box(folder, file)

@@ -5,7 +5,7 @@ import time
 from pixels import differing, is_blue, is_orange, share
 
 GO = "toccata.time.go({})"
-# Of the pairs in contact at this moment: how many there are, and the largest gap between the boxes of the two as drawn.
+# How many pairs are in contact at this moment, and the largest gap between the boxes of the two as drawn.
 SEEN = """(() => {
   const moment = toccata.state.moment, pairs = toccata.data.report.steps[moment].pairs.filter((pair) => pair.change !== 'end');
   const gap = (a, b) => Math.max(...[0, 1, 2].map((i) => Math.max(a.min.getComponent(i) - b.max.getComponent(i), b.min.getComponent(i) - a.max.getComponent(i))));

@@ -89,7 +89,7 @@ EdgeCase random_edge_case(Random& random) {
   return one;
 }
 
-/// Of the corners of a set, the least or greatest height along a vector.
+/// The least or greatest height along a vector of the corners of a set.
 Rational least_height(const oracle::ConvexSet& set, const oracle::RationalPoint& along) {
   Rational least = dot(along, set.vertices.front());
   for (const oracle::RationalPoint& corner : set.vertices) least = std::min(least, dot(along, corner));

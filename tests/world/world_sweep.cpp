@@ -70,7 +70,8 @@ WorldOptions options_of(std::uint64_t seed, BroadPhaseMethod method, int threads
   return options;
 }
 
-/// Of every three lives two: in one of these most bodies glide on, in the other they do what they please.
+/// Two of every three lives use space-time: in one of these most bodies glide on, in the other they do what they
+/// please.
 bool is_space_time(std::uint64_t seed) { return seed % 3 != 0; }
 bool is_gliding(std::uint64_t seed) { return seed % 3 == 1; }
 

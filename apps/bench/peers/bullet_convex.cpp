@@ -123,7 +123,7 @@ template <class A, class B>
 ConvexOffer offer_for(const ConvexWork& work) {
   ConvexOffer offer;
   auto general = std::make_unique<BulletConvex<A, B>>(Method::gjk);
-  // Of a round shape the one point has the depth and the normal that are compared.
+  // The one point of a round shape has the depth and the normal that are compared.
   if (work.task == ConvexTask::manifold && !has_quadric(work.pair))
     offer.unasked.push_back({general->description(), "it gives one point; manifolds grow from frame to frame"});
   else

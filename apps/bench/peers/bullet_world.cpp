@@ -65,7 +65,7 @@ bool touch(const btPersistentManifold& manifold) {
   return false;
 }
 
-/// Of two bodies that may touch it keeps up to four points, which it looks up here.
+/// Bullet keeps up to four points of two bodies that may touch, which are looked up here.
 class BulletWorld final : public WorldLibrary {
  public:
   BulletWorld() = default;

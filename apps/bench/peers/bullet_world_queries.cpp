@@ -36,7 +36,7 @@ std::unique_ptr<btCollisionShape> converted(const ConvexHull& hull) {
   return points;
 }
 
-/// Of the kinds that there are.
+/// The shape converted to Bullet's own, for the kinds that there are.
 std::unique_ptr<btCollisionShape> converted(const Shape& shape) {
   if (const auto* hull = std::get_if<ConvexHull>(&shape)) return converted(*hull);
   if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {

@@ -108,7 +108,7 @@ void visit(void* pointer, RTCCollision* candidates, unsigned count) {
   }
 }
 
-/// Of rigid poses.
+/// The pose of B in A's frame, for rigid poses.
 Pose relative(const PosePair& poses) {
   Pose b_in_a;
   const Vec3 offset = poses.b.offset - poses.a.offset;

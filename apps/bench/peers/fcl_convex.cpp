@@ -50,7 +50,8 @@ ConvexAnswer distance_of(const AnySolver& solver, const A& a, const fcl::Transfo
   return apart ? ConvexAnswer{false, distance, distance} : ConvexAnswer{true};
 }
 
-/// Of a sphere and itself, a box, a capsule or a cylinder, and of two boxes.
+/// Whether FCL has a closed form for the pair: for a sphere and itself, a box, a capsule or a cylinder, and for two
+/// boxes.
 template <class A, class B>
 constexpr bool has_closed_form =
     std::is_same_v<A, fcl::Boxd> ? std::is_same_v<B, fcl::Boxd>

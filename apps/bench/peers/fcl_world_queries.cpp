@@ -13,7 +13,7 @@
 namespace toccata::bench {
 namespace {
 
-/// Of the three kinds that there are.
+/// The shape converted to FCL's own, for the three kinds that there are.
 std::shared_ptr<fcl::CollisionGeometryd> converted(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return std::make_shared<fcl::Sphered>(sphere->radius());
   if (const auto* capsule = std::get_if<Capsule>(&shape))

@@ -15,8 +15,8 @@
 #include "toccata/shapes/convex_hull.hpp"
 
 // All bounding volumes, in a list at the end. Those that hierarchies alone know are declared here, each with its source
-// of the same name in src/bounds; those that questions and broad phases know as well, or of which there is more to tell
-// than every volume answers, have headers of their own.
+// of the same name in src/bounds; those that questions and broad phases know as well, or that answer more than every
+// volume does, have headers of their own.
 namespace toccata {
 
 /// A cube along the axes: all points of which no coordinate is farther than `half` from the centre's. Empty while that
@@ -120,7 +120,7 @@ HullBound fit<HullBound>(std::span<const Triangle> triangles);
 /// The hull of the posed vertices. The pose may flatten it.
 [[nodiscard]] HullBound posed(const HullBound& v, const Pose& pose);
 [[nodiscard]] Aabb box_around(const HullBound& v);
-/// Of the hull, without the margin.
+/// These are the volume and the areas of the hull, without the margin.
 [[nodiscard]] double measure(const HullBound& v);
 [[nodiscard]] double surface_area(const HullBound& v);
 [[nodiscard]] double half_area(const HullBound& v);

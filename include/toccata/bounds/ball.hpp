@@ -23,8 +23,8 @@ Ball fit<Ball>(std::span<const Vec3> points);
 template <>
 Ball fit<Ball>(std::span<const Triangle> triangles);
 
-/// In two passes over the points, and on average some per cent larger than the smallest (J. Ritter, "An efficient
-/// bounding sphere", 1990). Measured anew as well.
+/// A ball around the points, made in two passes over them, and on average some per cent larger than the smallest (J.
+/// Ritter, "An efficient bounding sphere", 1990). Measured anew as well.
 [[nodiscard]] Ball fit_ball_fast(std::span<const Vec3> points);
 
 [[nodiscard]] constexpr bool is_empty(const Ball& ball) { return ball.radius < 0; }

@@ -73,8 +73,8 @@ template <std::size_t k>
 [[nodiscard]] constexpr bool is_empty(const Kdop<k>& v) {
   return !(v.lower[0] <= v.upper[0]);
 }
-/// From three slabs: the direction is a sum of non-negative multiples of three normals, those of the corner of the
-/// polytope that it points to (weak duality of linear programming).
+/// The bound follows from three slabs: the direction is a sum of non-negative multiples of three normals, those of the
+/// corner of the polytope that it points to (weak duality of linear programming).
 template <std::size_t k>
 [[nodiscard]] double support_bound(const Kdop<k>& v, const Vec3& direction, const Vec3& from);
 /// That corner. Where slabs are so loose that it is cut off by others, it is not a point of the polytope.
@@ -95,7 +95,7 @@ template <std::size_t k>
 /// True when all slabs overlap, which polytopes that are apart may do: edges are not tried against edges.
 template <std::size_t k>
 [[nodiscard]] bool overlap(const Kdop<k>& a, const Kdop<k>& b);
-/// At least what the slabs tell, and more where the nearest points are on edges or corners.
+/// The gap is at least what the slabs give, and more where the nearest points are on edges or corners.
 template <std::size_t k>
 [[nodiscard]] double gap(const Kdop<k>& a, const Kdop<k>& b);
 /// The slabs of the turned polytope, by the support above: looser than slabs fitted anew to the turned points.
@@ -108,10 +108,10 @@ template <std::size_t k>
 [[nodiscard]] double measure(const Kdop<k>& v);
 template <std::size_t k>
 [[nodiscard]] double surface_area(const Kdop<k>& v);
-/// Those that are left where slabs cut off others, rounded; none where a slab is beyond the finite doubles.
+/// The corners that are left where slabs cut off others, rounded; none where a slab is beyond the finite doubles.
 template <std::size_t k>
 [[nodiscard]] std::vector<Vec3> corner_points(const Kdop<k>& v);
-/// Of the box around it: what walks and builders compare has to be cheap.
+/// Half the surface area of the box around it: what walks and builders compare has to be cheap.
 template <std::size_t k>
 [[nodiscard]] double half_area(const Kdop<k>& v);
 

@@ -38,11 +38,11 @@ Obb fit<Obb>(std::span<const Triangle> triangles);
 [[nodiscard]] Vec3 farthest_point(const Obb& box, const Vec3& direction);
 [[nodiscard]] inline Vec3 middle(const Obb& box) { return box.centre; }
 
-/// Of the boxes around both along the axes of one, of the other, and of the principal axes of all corners, that of the
-/// least surface.
+/// Makes three boxes around both, with the axes of `a`, those of `b`, and the principal axes of all corners, and
+/// returns the one with the least surface.
 [[nodiscard]] Obb merge(const Obb& a, const Obb& b);
 [[nodiscard]] bool contains(const Obb& box, const Vec3& point);
-/// By the 15 directions.
+/// Compares the two along the 15 directions that can separate boxes.
 [[nodiscard]] bool overlap(const Obb& a, const Obb& b);
 /// A rotation turns it as it is, but for rounding; other poses are followed by a box around the image.
 [[nodiscard]] Obb posed(const Obb& box, const Pose& pose);

@@ -10,16 +10,15 @@
 #include "toccata/math/vec3.hpp"
 #include "toccata/shapes/primitives.hpp"
 
-// What every bounding volume answers. All of them are closed, convex and empty until something is put in; everything
-// they tell is on the safe side of the truth, whatever rounding does (docs/design/volumes.md has the proof):
+// What every bounding volume answers. All of them are closed, convex and empty until something is put in; every answer
+// is on the safe side of the truth, whatever rounding does (docs/design/volumes.md has the proof):
 //
 //  - contains(v, p): the point is inside, proved. True for everything that v was fitted to or merged from.
 //  - overlap(a, b): false is proved. True may also be said of volumes that are apart by a rounding error, or, where the
-//  header of
-//    the volume says so, by more.
+//    header of the volume says so, by more.
 //  - gap(a, b): a lower bound of the distance; 0 when they may meet, +∞ when one is empty.
 //  - sweep_entry(a, motion, b): a lower bound of the first t ≥ 0 at which a, moved by t · motion, meets b; +∞ is
-//  proved.
+//    proved.
 //  - posed(v, pose): contains the world vertex (docs/truth.md) of every point of v, under any finite pose.
 //
 // No answer is ever NaN. Where numbers overflow, the answer is the safe one, and a volume becomes one of infinite size

@@ -19,9 +19,9 @@ struct LineInterval {
 };
 
 /// All pairs of intervals, rectangles, balls or oriented boxes that overlap, first < second, ascending, each once;
-/// touching counts. Of intervals, rectangles and balls exact; of oriented boxes none is missing, and those that are
-/// apart by a rounding error may be among them. Empty ones overlap nothing. Throws Error naming an interval whose ends,
-/// a rectangle whose numbers, or a ball or oriented box whose centre, extent or axes are no such.
+/// touching counts. The answer is exact for intervals, rectangles and balls; of oriented boxes no pair is missing, and
+/// pairs that are apart by a rounding error may be among them. Empty ones overlap nothing. Throws Error naming an
+/// interval whose ends, a rectangle whose numbers, or a ball or oriented box whose centre, extent or axes are no such.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const LineInterval> intervals,
                                                        const BroadPhaseOptions& options = {});
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Rectangle> rectangles,

@@ -13,7 +13,7 @@
 
 namespace toccata {
 
-/// Boxes in a tree over them, asked for those that a box overlaps or nears, still or moving. Boxes are told by their
+/// Boxes in a tree over them, asked for those that a box overlaps or nears, still or moving. Boxes are named by their
 /// numbers, 0 … size − 1. They may have infinite sides; none of their coordinates is NaN. An empty box (`Aabb{}`) is
 /// never found. Answers depend on the boxes alone, and not on how they came to be where they are. Questions may be
 /// asked from many threads at once.

@@ -36,16 +36,17 @@ struct CellGroup {
 /// A part of space, in the world, in the unit of the boxes.
 struct BroadPhaseCell {
   Aabb box;         ///< has infinite sides where it has no end; ends that the method keeps as floats are rounded so
-  Index group = 0;  ///< of the groups
+  Index group = 0;  ///< the number of its group
 };
 
-/// Into what a method of the broad phase divided space to find pairs, for looking at it (BroadPhase::cells).
+/// The parts into which a method of the broad phase divided space to find pairs, for looking at them
+/// (BroadPhase::cells).
 struct BroadPhaseCells {
   std::vector<CellGroup> groups;      ///< from coarse to fine, where they are levels
   std::vector<BroadPhaseCell> cells;  ///< by group
 };
 
-/// How the pairs are looked for (docs/design/broad-phase.md tells each). All find the same pairs, to the bit.
+/// How the pairs are looked for (docs/design/broad-phase.md describes each). All find the same pairs, to the bit.
 enum class BroadPhaseMethod {
   automatic,          ///< by what the boxes are like
   brute_force,        ///< every pair, with vector instructions
@@ -77,7 +78,7 @@ enum class BroadPhaseMethod {
 struct BroadPhaseOptions {
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
   int threads = own_thread;
-  double hash_cell = 2;  ///< of `spatial_hash`: the side of its cells, in usual boxes. Finite and positive, else Error
+  double hash_cell = 2;  ///< the side of the cells of `spatial_hash`, in usual boxes. Finite and positive, else Error
 };
 
 /// The box with its sides moved out by `margin` (not negative, in the box's unit), rounded outward: boxes grown by half
@@ -146,7 +147,7 @@ class BroadPhase {
   [[nodiscard]] std::size_t size() const;
   /// Where the box is now, or that around a ball or an oriented box. Empty for a number that is not in use.
   [[nodiscard]] const Aabb& box(Index number) const;
-  /// As it was given.
+  /// The bound as it was given.
   [[nodiscard]] AnyBound bound(Index number) const;
   [[nodiscard]] bool in_use(Index number) const;
 
@@ -154,10 +155,10 @@ class BroadPhase {
   [[nodiscard]] BroadPhaseMethod method() const;
   /// Why that one, for people: "sizes span 3 decades, clustered: …". Empty where it was asked for.
   [[nodiscard]] std::string reason() const;
-  /// Into what the method divided space in the last update, for looking at it: what it really used, no more. Nothing of
-  /// methods that divide nothing, before the first update of boxes, of a copy until its first, and after an update in
-  /// which `automatic` tried a method that it has given up since. What is too large for cells is in none. Throws Error
-  /// where boxes have come, gone or moved since the update.
+  /// The parts into which the method divided space in the last update, for looking at them: what it really used, no
+  /// more. Nothing for methods that divide nothing, before the first update of boxes, of a copy until its first, and
+  /// after an update in which `automatic` tried a method that it has given up since. What is too large for cells is in
+  /// none. Throws Error where boxes have come, gone or moved since the update.
   [[nodiscard]] BroadPhaseCells cells() const;
   /// Memory of the boxes and of what the method keeps, without the pairs. Balls and oriented boxes are counted with the
   /// pairs of boxes around them, which they need besides.
@@ -171,8 +172,8 @@ class BroadPhase {
 /// All pairs of boxes that overlap, as `overlapping_pairs(boxes)` finds them, by any method on any number of threads.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options);
 
-/// Of them those that are wanted. Memory is that of the boxes and of the pairs that are wanted, however many overlap.
-/// `wanted` is asked of every pair that overlaps, in any order: once of those that it refuses.
+/// The same pairs, but only those that are wanted. Memory is that of the boxes and of the pairs that are wanted,
+/// however many overlap. `wanted` is asked of every pair that overlaps, in any order: once of those that it refuses.
 [[nodiscard]] std::vector<IndexPair> overlapping_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                                        const PairFilter& wanted);
 

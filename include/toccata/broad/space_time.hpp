@@ -12,8 +12,8 @@ namespace toccata {
 
 /// How the points of a body move: each is, at every time t from 0, no farther from where it was at 0 and the velocity
 /// takes it than position_error + velocity_error · t + max_acceleration · t² / 2. With errors of 0 that is Hubbard's
-/// parabolic horn. Of a body of which only the speed is known the velocity is 0 and the error that speed. All numbers
-/// are finite; the errors and the acceleration are not negative.
+/// parabolic horn. For a body of which only the speed is known, the velocity is 0 and the error is that speed. All
+/// numbers are finite; the errors and the acceleration are not negative.
 struct SpaceTimeMotion {
   Vec3 velocity{};
   double position_error = 0;
@@ -47,10 +47,10 @@ struct SpaceTimeBox {
                                       const SpaceTimeMotion& b);
 
 /// A time before which the two have no point in common, proved: at most the time at which their horns first touch, 0
-/// where they touch now, and +∞ where it is proved that they never do. Of balls it is searched for in at most 64 steps,
-/// and is mostly that time but for 2⁻³⁰ of it; where the horns barely graze or pass each other it may be earlier. Of
-/// boxes it is the latest time at which along some axis their horns first touch, which may be earlier too. Throws Error
-/// naming a number that is not finite, or negative and an error.
+/// where they touch now, and +∞ where it is proved that they never do. For balls it is searched for in at most 64
+/// steps, and is mostly that time but for 2⁻³⁰ of it; where the horns barely graze or pass each other it may be
+/// earlier. For boxes it is the latest time at which along some axis their horns first touch, which may be earlier too.
+/// Throws Error naming a number that is not finite, or negative and an error.
 [[nodiscard]] double earliest_contact(const SpaceTimeBall& a, const SpaceTimeBall& b);
 [[nodiscard]] double earliest_contact(const SpaceTimeBox& a, const SpaceTimeBox& b);
 

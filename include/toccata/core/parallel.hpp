@@ -9,12 +9,12 @@ namespace toccata {
 
 /// What is called `threads` means the same everywhere: a call uses up to so many, of which its caller's is one; 0: as
 /// many as the machine has. No answer depends on it, to the bit. What answers many questions in one call uses all
-/// unless told otherwise; what is mostly one call of many itself (a question about one pair, a model, a step) its
+/// unless asked otherwise; what is mostly one call of many itself (a question about one pair, a model, a step) its
 /// caller's alone, because to wake others may cost it more than they save.
 inline constexpr int all_threads = 0;
 inline constexpr int own_thread = 1;
 
-/// On how many threads a call runs that may use up to `threads`.
+/// The number of threads on which a call runs that may use up to `threads`.
 [[nodiscard]] int thread_count(int threads);
 
 /// Calls `work` where several calls of `parallel_for` on so many threads can follow each other at once: between them
@@ -27,8 +27,8 @@ void on_threads(int threads, FunctionRef<void()> work);
 /// then not be called.
 void parallel_for(std::size_t count, int threads, FunctionRef<void(std::size_t)> body);
 
-/// Told now and then how much of a long task is done: `done` of `total` steps. May be called from any thread, never
-/// from two at once. An exception that it throws ends the task (the way to cancel).
+/// It is called now and then with how much of a long task is done: `done` of `total` steps. May be called from any
+/// thread, never from two at once. An exception that it throws ends the task (the way to cancel).
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 }  // namespace toccata

@@ -9,7 +9,7 @@
 
 namespace toccata {
 
-/// Types in an order, to go over: what is told of each of them in many places is listed once.
+/// Types in an order, to go over: what is said of each of them in many places is listed once.
 template <class... Types>
 struct TypeList {
   static constexpr std::size_t size = sizeof...(Types);

@@ -83,10 +83,11 @@ CrowdFrames run_frames(AnyCrowd& crowd, std::size_t frames, const Find& find, co
 /// every machine. Nothing is simulated: bodies go on as they began.
 class BodyCrowd {
  public:
-  /// They fly. About this share of them is in contact at a time. Throws Error unless it lies between 0.001 and 1.
+  /// A crowd of bodies that fly. About this share of them is in contact at a time. Throws Error unless it lies between
+  /// 0.001 and 1.
   explicit BodyCrowd(std::size_t count, double share_in_contact = 0.05, std::uint64_t seed = 1);
-  /// Of body_crowd_scenes. `count` bodies besides the ground, which is body 0 of all scenes but `fly`. Throws Error
-  /// naming the closest when there is no such scene.
+  /// One of the scenes of `body_crowd_scenes`, with `count` bodies besides the ground, which is body 0 of all scenes
+  /// but `fly`. Throws Error naming the closest when there is no such scene.
   BodyCrowd(std::string_view scene, std::size_t count, std::uint64_t seed = 1);
 
   /// Shapes and places begin with the ground, if there is one.

@@ -90,7 +90,7 @@ struct TorusShape {
 struct TorusKnotShape {
   int p = 2;                   ///< times around the z axis
   int q = 3;                   ///< times through the ring; p and q have no common divisor
-  double radius = 1;           ///< of the ring on which the knot lies
+  double radius = 1;           ///< that of the ring on which the knot lies
   double second_radius = 0.4;  ///< of that ring's tube
   double tube_radius = 0.12;   ///< of the knot's own tube
   int around = 240;            ///< steps along the knot

@@ -18,9 +18,9 @@ namespace toccata {
 [[nodiscard]] Model load_model(const std::string& path);
 
 /// Reads OBJ, STL (ASCII or binary), PLY (ASCII, little or big endian, triangle strips) or OFF as one mesh. The format
-/// is told by the content where it has a signature and by the extension otherwise. Every number is the double nearest
-/// to the text. Corners of STL facets that have the same coordinates are one vertex. Throws Error naming file and line
-/// (or byte) for anything that is not a valid mesh.
+/// is recognised by the content where it has a signature and by the extension otherwise. Every number is the double
+/// nearest to the text. Corners of STL facets that have the same coordinates are one vertex. Throws Error naming file
+/// and line (or byte) for anything that is not a valid mesh.
 [[nodiscard]] TriangleMesh read_mesh(const std::string& path);
 
 /// Writes a mesh so that reading it gives the same doubles: OBJ, OFF, ASCII STL or PLY by the extension. The file is
@@ -45,8 +45,8 @@ class TreeCache {
   /// Nothing is done yet.
   explicit TreeCache(std::string folder) : folder_(std::move(folder)) {}
 
-  /// As scene_models, with the trees that the folder has. One that cannot be taken, as it is damaged or of another
-  /// version, is told in `warnings`, and another is built.
+  /// The models that `scene_models` makes, with the trees that the folder has. One that cannot be taken, as it is
+  /// damaged or of another version, is reported in `warnings`, and another is built.
   [[nodiscard]] std::vector<SceneInstance> models(const Scene& scene, int threads = all_threads);
 
   /// Writes the trees that were built, each complete or not at all, and makes the folder for it; that this cannot be

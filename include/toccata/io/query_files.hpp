@@ -32,10 +32,10 @@ namespace toccata {
 /// translation; or words with numbers: `translation=X,Y,Z` and one rotation, `axis=X,Y,Z degrees=D`,
 /// `quaternion=X,Y,Z,W` or `euler=ORDER:A,B,C` in degrees. The order is three letters: `xyz` turns about the fixed axes
 /// x, y and z, one after the other, `XYZ` about the axes as they have been turned. The shape turns first and is
-/// translated then. Throws Error that tells the text and what is wrong with it.
+/// translated then. Throws Error that quotes the text and says what is wrong with it.
 [[nodiscard]] Pose pose_from_text(std::string_view text);
 
-/// A motion that a file tells, as `RigidMotion::through` takes it.
+/// A motion that a file gives, as `RigidMotion::through` takes it.
 struct FileMotion {
   std::vector<MotionKey> keys;
   Vec3 centre{};              ///< what goes straight on from key to key; the origin, but of a glTF file
@@ -43,11 +43,12 @@ struct FileMotion {
 };
 
 /// Reads a motion file (docs/reference/motion-file.md): a line per key, its time and then its pose, as `pose_from_text`
-/// takes it; # starts a comment. Of a glTF or GLB file it is how an animation moves the node of that name, or the only
-/// one that moves where none is given: the poses, in metres, are those that lead from where things are in the file to
-/// where they are then. The times ascend and are scaled so that the first is 0 and the last 1. Throws Error naming the
-/// file and the line or the element, for a file of fewer than two keys, for a node that is named of a text, and for an
-/// animation that is no rigid motion: of scales, weights or two nodes above each other, in steps, or on splines.
+/// takes it; # starts a comment. From a glTF or GLB file it reads how an animation moves the node of that name, or the
+/// only one that moves where none is given: the poses, in metres, are those that lead from where things are in the file
+/// to where they are then. The times ascend and are scaled so that the first is 0 and the last 1. Throws Error naming
+/// the file and the line or the element, for a file of fewer than two keys, where a node is named and the file is a
+/// text, and for an animation that is no rigid motion: one of scales, weights or two nodes above each other, in steps,
+/// or on splines.
 [[nodiscard]] FileMotion read_motion(const std::string& path, const std::string& node = "");
 
 }  // namespace toccata

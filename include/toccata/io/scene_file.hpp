@@ -40,8 +40,8 @@ struct FileContent {
 /// The same of a file that is in memory. Names of other files in it begin at the current folder.
 [[nodiscard]] Scene read_scene(const FileContent& content, const ReadOptions& options = {});
 
-/// Everything in the scene so many times as large, as `ReadOptions::scale` makes it. Throws Error naming an object that
-/// shrinks to nothing or grows beyond the doubles.
+/// The scene with everything in it so many times as large, as `ReadOptions::scale` makes it. Throws Error naming an
+/// object that shrinks to nothing or grows beyond the doubles.
 [[nodiscard]] Scene scaled(Scene scene, double factor);
 
 /// Writes the scene as `folder`/scene.json with every mesh once as an OBJ file beside it. Reading it gives the same

@@ -24,7 +24,7 @@ struct BspOptions {
 struct BspStatistics {
   std::size_t triangles = 0;   ///< of the mesh
   std::size_t nodes = 0;       ///< planes, one a node
-  std::size_t axis_nodes = 0;  ///< of these, those across an axis
+  std::size_t axis_nodes = 0;  ///< those of the nodes that are across an axis
   std::size_t leaves = 0;      ///< cells that are not cut: one more than nodes
   std::size_t fragments = 0;   ///< what the planes have left of the triangles, all kept
   std::size_t splits = 0;      ///< how often a fragment was cut in two: fragments less triangles
@@ -37,7 +37,7 @@ struct BspStatistics {
 
 /// Where a point lies, and of a boundary on which triangle.
 struct BspLocation : PointLocation {
-  Index triangle = 0;  ///< of those that it lies on the least; 0 where it lies on none
+  Index triangle = 0;  ///< the least of those that it lies on; 0 where it lies on none
 };
 
 /// A triangle of the mesh, or what planes have left of it.
@@ -55,7 +55,8 @@ enum class BspBevels {
 /// What a shape that moves meets when it is a point that moves among planes which have been moved out.
 struct BspTrace {
   bool hit = false;  ///< false is proved: nothing of the solid is met. True is not
-  double time = 1;   ///< of the way: no part of the solid is met before it, which is proved; 1 where nothing is met
+  double time = 1;   ///< as a share of the way: no part of the solid is met before it, which is proved; 1 where nothing
+                     ///< is met
   Vec3 normal{};     ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
   friend constexpr bool operator==(const BspTrace&, const BspTrace&) = default;
 };
@@ -75,13 +76,13 @@ class BspTree {
   /// them; for options out of their range; and when cutting makes more fragments than `max_growth` allows.
   explicit BspTree(const Model& solid, const BspOptions& options = {});
 
-  /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not
-  /// finite.
+  /// The same answer as `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when
+  /// the point is not finite.
   [[nodiscard]] BspLocation locate(const Vec3& point) const;
 
-  /// As `cast_ray` of the model, the same triangle, time and point (only `lower` may be another bound): the cells along
-  /// the ray are visited in their order, until one has a triangle that is met. Throws Error when a number is not finite
-  /// or the motion is zero.
+  /// The same answer as `cast_ray` of the model, with the same triangle, time and point (only `lower` may be another
+  /// bound): the cells along the ray are visited in their order, until one has a triangle that is met. Throws Error
+  /// when a number is not finite or the motion is zero.
   [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
 
   /// Whether the closed segment has a point in common with the solid. Exact. Throws Error when a number is not finite,
@@ -96,8 +97,8 @@ class BspTree {
   /// own frame, moves by `motion` without turning; every plane is moved out by how far the shape reaches across it, to
   /// either side, and the shape is a point that goes through the cells. In front of a face that is exact, but where
   /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
-  /// mesh allows, which is moved out too. So it tells of hits that are none, but never of none where there is one: what
-  /// is free is proved. With bevels it tells of fewer such hits. Throws Error when the motion is not finite.
+  /// mesh allows, which is moved out too. So it reports hits that are none, but never none where there is one: what is
+  /// free is proved. With bevels it reports fewer such hits. Throws Error when the motion is not finite.
   [[nodiscard]] BspTrace trace(const PosedPolytope& shape, const Vec3& motion,
                                BspBevels bevels = BspBevels::none) const;
 

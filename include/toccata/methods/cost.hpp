@@ -30,7 +30,7 @@ template <ListedVolume V>
 requires(AllVolumes::has<V>) inline constexpr CostVolume cost_volume =
     static_cast<CostVolume>(AllVolumes::place_of<V>());
 
-/// In the order of AllVolumes, `wide` last.
+/// All volumes in the order of AllVolumes, `wide` last.
 inline constexpr auto all_cost_volumes = [] {
   std::array<CostVolume, AllVolumes::size + 1> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<CostVolume>(i);
@@ -58,7 +58,7 @@ inline constexpr std::array all_bvh_methods{BvhMethod::heuristic,     BvhMethod:
                                             BvhMethod::equal_regions, BvhMethod::morton, BvhMethod::agglomeration,
                                             BvhMethod::insertion};
 
-// As the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
+// The names as the command writes them: "aabb", "26-dop", "rigid", "overlap", "heuristic".
 [[nodiscard]] std::string_view name_of(CostVolume volume);
 [[nodiscard]] std::string_view name_of(CostWorkload workload);
 [[nodiscard]] std::string_view name_of(CostTask task);
@@ -71,7 +71,7 @@ struct CostOptions {
   std::vector<int> arities{2, 4, 8};  ///< each 2 to 8
   std::vector<BvhMethod> methods{all_bvh_methods.begin(), all_bvh_methods.end()};
   Index leaf_size = 2;
-  std::size_t most_rigid = 8;     ///< of more queries so many are measured, evenly chosen
+  std::size_t most_rigid = 8;     ///< where there are more queries, so many are measured, evenly chosen
   std::size_t most_updating = 1;  ///< the same for the other workloads, each query of which touches every volume
   /// How long all may take, in microseconds, very roughly. What would take longer is left out, the dearest volumes over
   /// the last of the methods first, and `CostTable::left_out` says so. It is judged by counts and not by the clock: the
@@ -89,7 +89,7 @@ struct CostRow {
   Index leaf_size = 1;
   std::size_t queries = 0;
   WalkCounts counts;  ///< N_u, N_bv and N_p, summed over the queries. They depend on the input alone.
-  // Of one operation, in nanoseconds, measured on some hundreds of those that the queries made.
+  // The time of one operation, in nanoseconds, measured on some hundreds of those that the queries made.
   double update_ns = 0;    ///< C_u
   double test_ns = 0;      ///< C_bv; of `wide` with all the rest of the query, which is not taken apart
   double item_ns = 0;      ///< C_p; of `wide` 0
@@ -99,7 +99,7 @@ struct CostRow {
   std::size_t bytes = 0;
   int greatest_depth = 0;
 
-  // Of one query, in nanoseconds, on average.
+  // The costs of one query, in nanoseconds, on average.
   [[nodiscard]] double update_cost() const { return of_query(counts.volumes_updated, update_ns); }
   [[nodiscard]] double test_cost() const { return of_query(counts.volume_tests, test_ns); }
   [[nodiscard]] double item_cost() const { return of_query(counts.items, item_ns); }

@@ -47,7 +47,7 @@ enum class SumFaceKind : std::uint8_t {
 class MinkowskiSum {
  public:
   [[nodiscard]] Index vertex_count() const;
-  /// In ascending order of (on_a, on_b).
+  /// The pair of vertices that this vertex is the sum of; pairs are in ascending order of (on_a, on_b).
   [[nodiscard]] SumVertex pair(Index vertex) const;
   /// The exact point, each coordinate to the nearest double.
   [[nodiscard]] Vec3 vertex(Index i) const;
@@ -65,8 +65,8 @@ class MinkowskiSum {
   /// radii included. What has no interior has nothing but boundary. Looks at every face; SumLocator is quicker where
   /// many points are asked. Throws Error when the point is not finite.
   [[nodiscard]] Sign side_of(const Vec3& point) const;
-  /// The point lies in the sum or on its boundary. Of a difference A − B, B moved by exactly this vector meets A; at
-  /// zero that is `overlap(A, B)`.
+  /// The point lies in the sum or on its boundary. Where the sum is a difference A − B, B moved by exactly this vector
+  /// meets A; at zero that is `overlap(A, B)`.
   [[nodiscard]] bool contains(const Vec3& point) const { return side_of(point) != Sign::positive; }
 
   /// The hull of the rounded vertices, without the radius. Vertices may be fewer where rounding made a face bend.
@@ -104,7 +104,7 @@ class SumLocator {
   /// Takes a hundred times as long as a question about the sum itself.
   explicit SumLocator(const MinkowskiSum& sum);
 
-  /// As `MinkowskiSum::side_of`.
+  /// The same answer as that of `MinkowskiSum::side_of`.
   [[nodiscard]] Sign side_of(const Vec3& point) const;
   [[nodiscard]] bool contains(const Vec3& point) const { return side_of(point) != Sign::positive; }
 
@@ -127,17 +127,17 @@ class OffsetSolid {
 
   // All three throw Error when the point is not finite.
 
-  /// Behind all face planes, each moved outwards by the distance: exact as that, but accepts more than the offset
-  /// solid. Where two faces meet at the inner angle α it reaches 1 / sin(α / 2) times as far as it should, at a box's
-  /// corner √3 times; at sharp edges any number of times.
+  /// Whether the point is behind all face planes, each moved outwards by the distance: exact as that, but it accepts
+  /// more than the offset solid. Where two faces meet at the inner angle α it reaches 1 / sin(α / 2) times as far as it
+  /// should, at a box's corner √3 times; at sharp edges any number of times.
   [[nodiscard]] bool in_moved_planes(const Vec3& point) const;
 
-  /// Behind these and behind one more plane across each edge and each corner, which touches the offset solid there:
-  /// still accepts all of it, and less beside it. Of a box the error is at most 13 % of the distance instead of 73 %.
-  /// The planes of bevels are rounded, to the accepting side.
+  /// Whether the point is behind these and behind one more plane across each edge and each corner, which touches the
+  /// offset solid there: it still accepts all of it, and less beside it. For a box the error is at most 13 % of the
+  /// distance instead of 73 %. The planes of bevels are rounded, to the accepting side.
   [[nodiscard]] bool in_beveled_planes(const Vec3& point) const;
 
-  /// At most that far from the solid. Exact.
+  /// Whether the point is at most that far from the solid. Exact.
   [[nodiscard]] bool contains(const Vec3& point) const;
 
  private:

@@ -25,7 +25,7 @@ struct MspStatistics {
 
 /// Where a point lies, and of a boundary on which vertex, edge or face.
 struct MspLocation : PointLocation {
-  Index triangle = 0;    ///< of those that it lies on the least; 0 where it lies on none
+  Index triangle = 0;    ///< the least of those that it lies on; 0 where it lies on none
   Feature feature = {};  ///< what of that triangle it lies on. So edge i leads from its vertex i to (i + 1) % 3
 };
 
@@ -44,8 +44,8 @@ class MspTree {
   /// Throws Error as the constructor of BspTree does; fragments in planes and on lines count for `max_growth` too.
   explicit MspTree(const Model& solid, const BspOptions& options = {});
 
-  /// As `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when the point is not
-  /// finite.
+  /// The same answer as `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when
+  /// the point is not finite.
   [[nodiscard]] MspLocation locate(const Vec3& point) const;
 
   [[nodiscard]] const MspStatistics& statistics() const;

@@ -27,8 +27,8 @@ namespace toccata {
 // A sphere and a box along the world's axes, from `lower` to `upper` (not greater in any coordinate): exact.
 
 /// The sides of the six face planes that a point lies beyond, a bit each: 1: x < lower.x, 2: x > upper.x, 4 and 8 for
-/// y, 16 and 32 for z. Of the 64 codes 27 occur, one per region: no bit is inside, one a face's region, two an edge's,
-/// three a corner's.
+/// y, 16 and 32 for z. Only 27 of the 64 codes occur, one per region: no bit is inside, one a face's region, two an
+/// edge's, three a corner's.
 [[nodiscard]] constexpr unsigned box_region(const Vec3& p, const Vec3& lower, const Vec3& upper) {
   unsigned code = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -38,10 +38,10 @@ namespace toccata {
   return code;
 }
 
-/// By the region of the centre: the nearest feature is that region's.
+/// Decides by the region of the centre: the nearest feature is that region's.
 [[nodiscard]] bool overlap_by_regions(const PosedSphere& a, const Vec3& lower, const Vec3& upper);
 
-/// Without a branch: max(lower − c, 0, c − upper) along each axis.
+/// Decides without a branch: max(lower − c, 0, c − upper) along each axis.
 [[nodiscard]] bool overlap_by_clamping(const PosedSphere& a, const Vec3& lower, const Vec3& upper);
 
 }  // namespace toccata

@@ -25,7 +25,7 @@ struct RegionBound {
     edge_face,    ///< between an edge and a face at it
     face,         ///< the plane of the face itself: in front of it
   } kind = Kind::vertex_edge;
-  Index index = 0;    ///< of a half-edge; of `face`, of the face
+  Index index = 0;    ///< the number of a half-edge; for `face`, that of the face
   bool ahead = true;  ///< the region lies where normal · x > offset, else where it is not more
   RegionPlane plane{};
 };
@@ -59,12 +59,13 @@ class VoronoiRegions {
   /// All features: vertices, edges, then faces. A corner of a triangle that lies between the others is none.
   [[nodiscard]] std::vector<ConvexFeature> features() const;
 
-  /// Through the vertex at which a half-edge starts, its normal along the edge: behind it the vertex is nearer.
+  /// The plane through the vertex at which a half-edge starts, its normal along the edge: behind it the vertex is
+  /// nearer.
   [[nodiscard]] RegionPlane vertex_edge_plane(Index half_edge) const;
-  /// Through a half-edge, its normal in the plane of its face, into the face: behind it the edge is nearer. Of a
-  /// segment there is none.
+  /// The plane through a half-edge, its normal in the plane of its face, into the face: behind it the edge is nearer. A
+  /// segment has none.
   [[nodiscard]] RegionPlane edge_face_plane(Index half_edge) const;
-  /// Of a face, the normal outwards.
+  /// The plane of a face, its normal outwards.
   [[nodiscard]] RegionPlane face_plane(Index face) const;
 
   /// The planes around a region.
@@ -93,7 +94,7 @@ class VoronoiRegions {
 /// How questions about a tracked pair were answered.
 struct VoronoiCounts {
   std::uint64_t questions = 0;
-  std::uint64_t kept = 0;      ///< of them: the features of the time before were still the nearest
+  std::uint64_t kept = 0;      ///< questions for which the features of the time before were still the nearest
   std::uint64_t walked = 0;    ///< others, or the first, were found by walking
   std::uint64_t searched = 0;  ///< rounding left a doubt, or the cores meet: by GJK
   std::uint64_t steps = 0;     ///< from region to region
@@ -124,7 +125,7 @@ enum class WalkEnd : std::uint8_t {
 };
 
 /// A place on the way of a walk: a feature of each shape, and their nearest points, which lie inside both, as far as
-/// doubles tell; in the world.
+/// doubles show; in the world.
 struct VoronoiVisit {
   ConvexFeature on_a;
   ConvexFeature on_b;
@@ -152,8 +153,8 @@ struct VoronoiPath {
                                                 const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked);
 
-/// The same, and tells the way, for pictures and teaching. It is walked from what is kept even where a proof would have
-/// told at once that nothing has changed; the answer is the same.
+/// The same, and reports the way, for pictures and teaching. It is walked from what is kept even where a proof would
+/// have shown at once that nothing has changed; the answer is the same.
 [[nodiscard]] Distance distance_by_voronoi_walk(const PosedPolytope& a, const VoronoiRegions& regions_a,
                                                 const PosedPolytope& b, const VoronoiRegions& regions_b,
                                                 TrackedPair& tracked, VoronoiPath& path);

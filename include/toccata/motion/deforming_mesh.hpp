@@ -28,7 +28,7 @@ class DeformingMesh {
  public:
   /// Throws Error for another number of ends than of vertices, for an end that is not finite, and as a Model does.
   DeformingMesh(const TriangleMesh& start, std::vector<Vec3> end, int threads = own_thread);
-  /// At rest.
+  /// A mesh at rest.
   explicit DeformingMesh(const TriangleMesh& mesh, int threads = own_thread);
 
   /// Another end of the same step, as when a solver tries a shorter one. The tree keeps its shape and its boxes are
@@ -66,25 +66,25 @@ struct MeshFeature {
   friend constexpr auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
 };
 
-/// Two features that meet, and when first. Of two meshes, `a` is of the first; of one, it is the lesser. They are
+/// Two features that meet, and when first. For two meshes, `a` is of the first; for one, it is the lesser. They are
 ///  - a vertex and a face, or two edges, at any time;
 ///  - an edge and a face that meet at the start, as where it pierces it: their time is 0. (Had they met only later, so
 ///    would one of the pairs above have, before or then.)
-/// Features of one mesh that have a vertex in common, told by its number, are not asked about.
+/// Features of one mesh that have a vertex in common, by its number, are not asked about.
 struct MeshImpact {
   MeshFeature a;
   MeshFeature b;
   TimeOfImpact time;
-  /// Without a separation `exact`, always. With one, what the status says of the time is told by ImpactOptions.
+  /// Without a separation `exact`, always. With one, ImpactOptions says what the status means for the time.
   Status status = Status::exact;
   friend constexpr bool operator==(const MeshImpact&, const MeshImpact&) = default;
 };
 
 struct ImpactOptions {
-  /// What counts as meeting: to be at most so far apart, in the unit of the coordinates. 0 is contact, told exactly.
+  /// What counts as meeting: to be at most so far apart, in the unit of the coordinates. 0 is contact, decided exactly.
   /// Else the distance is more at all times before `lower`, which is proved, and
   ///  - `exact`: it is not more at `upper`, at most 2^-30 later;
-  ///  - `undecided`: it comes so near to it between `lower` and `upper` that rounding does not tell;
+  ///  - `undecided`: it comes so near to it between `lower` and `upper` that rounding leaves it open;
   ///  - `not_converged`: features that turn about each other at nearly this distance; nothing is known after `lower`.
   double separation = 0;
   /// The start is known to be free of contact, because the step before has been found so and ended where this one
@@ -95,8 +95,8 @@ struct ImpactOptions {
 };
 
 // All are exact without a separation, and the same on any number of threads. They throw Error for a separation that is
-// negative or not finite. Those that tell times, asked without one, throw it, too, when a start that was promised to be
-// free is not, as far as that was looked at, and name the two features.
+// negative or not finite. Those that return times, asked without one, throw it, too, when a start that was promised to
+// be free is not, as far as that was looked at, and name the two features.
 
 /// Whether any two features meet.
 [[nodiscard]] bool meets(const DeformingMesh& mesh, const ImpactOptions& options = {});
@@ -124,9 +124,9 @@ struct FreeStep {
 [[nodiscard]] FreeStep free_step(const DeformingMesh& mesh, const ImpactOptions& options = {});
 [[nodiscard]] FreeStep free_step(const DeformingMesh& a, const DeformingMesh& b, const ImpactOptions& options = {});
 
-/// For each vertex a fraction of its own way: whichever part of it each vertex goes, up to that, and however fast
-/// each goes, nothing meets. So vertices that nothing is near may go all their way while others stop. 0 for the
-/// vertices of features that meet at the start. (Each may stop where it wants, so this cannot be told by times at which
+/// For each vertex a fraction of its own way: whichever part of it each vertex goes, up to that, and however fast each
+/// goes, nothing meets. So vertices that nothing is near may go all their way while others stop. 0 for the vertices of
+/// features that meet at the start. (Each may stop where it wants, so this cannot be read off the times at which
 /// something meets: where one stops, what it would have moved away from may hit it.)
 [[nodiscard]] std::vector<double> free_steps(const DeformingMesh& mesh, const ImpactOptions& options = {});
 

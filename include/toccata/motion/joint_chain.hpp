@@ -17,8 +17,8 @@ enum class JointKind : std::uint8_t {
   prismatic,  ///< slides along its axis; its position is in world units
 };
 
-/// What a link of a robot hangs on, as URDF tells it. At the position 0 the frame of the link is `origin` in the frame
-/// of the link before; from there the joint turns or slides it.
+/// What a link of a robot hangs on, as URDF describes it. At the position 0 the frame of the link is `origin` in the
+/// frame of the link before; from there the joint turns or slides it.
 struct Joint {
   JointKind kind = JointKind::revolute;
   Pose origin{};                  ///< a rotation and a translation
@@ -35,7 +35,7 @@ struct Joint {
 
 /// How each link moves while all joints go from one configuration to another, each at an even speed, in the time from 0
 /// to 1: to be asked about with `sweep`, of what is fixed to a link with `carrying`. A link below one joint that moves
-/// makes a move, below none it rests. Below more it is a motion told by a function, which is `link_poses`, with the
+/// makes a move, below none it rests. Below more it is a motion given by a function, which is `link_poses`, with the
 /// bound
 ///
 ///     turns ≤ Σ |rate of a revolute joint|        speed of the link's origin ≤ Σ |rate| · reach + Σ |rate of a

@@ -32,10 +32,10 @@ struct MotionKey {
   Pose pose{};
 };
 
-/// What a motion that is told by a function never exceeds, in the time from 0 to 1.
+/// What a motion that is given by a function never exceeds, in the time from 0 to 1.
 struct MotionSpeed {
   Vec3 centre{};     ///< a point of the shape's own frame
-  double speed = 0;  ///< of that point, in world units
+  double speed = 0;  ///< how fast that point moves, in world units
   double turns = 0;  ///< how fast the shape turns about it, in whole turns
   /// How far off, in world units, points of the shape may be from where so slow a motion brings them, because the
   /// function rounds more than the last bits of what it returns.
@@ -56,37 +56,37 @@ class RigidMotion {
     RigidMove move{};
   };
 
-  /// It rests. Implicit: whatever takes a motion takes a pose.
+  /// A shape that rests. Implicit: whatever takes a motion takes a pose.
   RigidMotion(const Pose& pose);
 
   /// Throws Error when a number is not finite, or an axis of a turn has no direction.
   RigidMotion(const Pose& start, const RigidMove& move);
 
-  /// Straight on, without a turn.
+  /// A motion straight on, without a turn.
   [[nodiscard]] static RigidMotion straight(const Pose& start, const Vec3& translation);
 
-  /// From one pose to another: the point `centre` of the shape's own frame goes straight on, and the shape turns about
-  /// it the shorter way at an even speed (linear interpolation and slerp). It ends at `end` but for rounding: by some
-  /// 2⁻⁴⁸ of the size where both poses are rotations. Throws Error when no turn leads from one to the other, as where
-  /// one scales and the other does not.
+  /// A motion from one pose to another: the point `centre` of the shape's own frame goes straight on, and the shape
+  /// turns about it the shorter way at an even speed (linear interpolation and slerp). It ends at `end` but for
+  /// rounding: by some 2⁻⁴⁸ of the size where both poses are rotations. Throws Error when no turn leads from one to the
+  /// other, as where one scales and the other does not.
   [[nodiscard]] static RigidMotion between(const Pose& start, const Pose& end, const Vec3& centre = {});
 
-  /// From one pose to another about one axis and along it: every point on a helix (M. Chasles, 1830). Throws like
-  /// `between`.
+  /// A motion from one pose to another about one axis and along it: every point on a helix (M. Chasles, 1830). Throws
+  /// like `between`.
   [[nodiscard]] static RigidMotion screw(const Pose& start, const Pose& end);
 
-  /// Through poses, as `between` each and the next. Throws Error when there are fewer than two, or the times are not
-  /// ascending from 0 to 1, and like `between`.
+  /// A motion through poses, as `between` leads from each to the next. Throws Error when there are fewer than two, or
+  /// the times are not ascending from 0 to 1, and like `between`.
   [[nodiscard]] static RigidMotion through(std::span<const MotionKey> keys, const Vec3& centre = {});
 
-  /// Any motion: where the shape is, told by a function of the time, and a bound on how fast it moves. At the times at
+  /// Any motion: where the shape is, given by a function of the time, and a bound on how fast it moves. At the times at
   /// which the function is asked the shape is where its pose puts it, and in between its points move as the bound
   /// allows; what is answered is true of all such motions. Throws Error when a bound is negative or not finite. The
   /// function is asked when a question is, from any of its threads, and has to return the same for the same time.
   [[nodiscard]] static RigidMotion of(std::function<Pose(double)> pose_at, const MotionSpeed& bound);
 
   /// How something moves that is fixed to the shape: placed by a pose in its frame, which may scale it. Throws Error
-  /// when the pose is not finite, and of a motion that is told by a function when it is singular.
+  /// when the pose is not finite, and for a motion that is given by a function when it is singular.
   [[nodiscard]] RigidMotion carrying(const Pose& fixed) const;
 
   /// The pose at a time, rounded; at 0 it is the first pose. A vertex that it poses is off from where it is by no more
@@ -96,9 +96,9 @@ class RigidMotion {
 
   // For the library itself.
 
-  /// In the order of time; none of a motion that is told by a function.
+  /// The pieces in the order of time; a motion that is given by a function has none.
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
-  /// Of a motion that is told by a function.
+  /// The bound on the speed of a motion that is given by a function.
   [[nodiscard]] const MotionSpeed& speed() const { return speed_; }
 
  private:
@@ -129,13 +129,12 @@ struct SweepQuery {
 ///   not_converged  nothing is met before `lower`, and of what comes then nothing is known: two convex shapes that turn
 ///              often, or very close, beside each other, so that 65,536 steps did not tell
 ///
-/// What does not turn is answered by `cast_shape`. Of meshes, height fields and compounds it is the earliest of their
-/// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` tells
+/// What does not turn is answered by `cast_shape`. For meshes, height fields and compounds it is the earliest of their
+/// elements, by (upper, element of A, element of B); models that meet at the start are met at 0, as `cast_shape` has
 /// it, and those that are then as near as `stop_before` with the two elements that `distance` names. The normal is from
-/// B to A. Of a half-space and another nothing is asked, as in `cast_shape`.
-/// Throws Error for what `overlap` throws for at the poses of the start, when `stop_before` is not finite, for what the
-/// table of pairs.hpp does not define of casts, and when a motion that is told by a function moved faster than its
-/// bound.
+/// B to A. Two half-spaces are not asked about, as in `cast_shape`. Throws Error for what `overlap` throws for at the
+/// poses of the start, when `stop_before` is not finite, for what the table of pairs.hpp does not define of casts, and
+/// when a motion that is given by a function moved faster than its bound.
 [[nodiscard]] ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
                              const SweepQuery& query = {});
 

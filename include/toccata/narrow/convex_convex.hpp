@@ -20,8 +20,8 @@ enum class Containment { none, a_in_b, b_in_a, equal };
 struct Relation {
   RelationKind kind = RelationKind::apart;
   Containment containment = Containment::none;
-  /// Two surfaces touch without any pair of faces crossing, so whether they pass through each other is not told by the
-  /// faces alone. Callers that ignore touching must still count this.
+  /// Two surfaces touch without any pair of faces crossing, so the faces alone do not show whether they pass through
+  /// each other. Callers that ignore touching must still count this.
   bool side_unresolved = false;
   bool a_solid = false;  ///< what each shape was taken for
   bool b_solid = false;
@@ -31,9 +31,10 @@ struct Relation {
 
 /// Which path answered. Answers never depend on it.
 struct ConvexCounts {
-  std::uint64_t steps = 0;           ///< of searches by GJK
+  std::uint64_t steps = 0;           ///< steps of searches by GJK
   std::uint64_t support_points = 0;  ///< searched for, over both shapes
-  std::uint64_t heights = 0;         ///< of vertices along a direction: computed to find these, and for proofs
+  std::uint64_t heights = 0;         ///< heights of vertices along a direction, computed to find these points, and for
+                                     ///< proofs
   std::uint64_t closed_forms = 0;    ///< answered by a formula for the pair
   std::uint64_t certificates = 0;    ///< answered by a verified separating direction, simplex or interval
   std::uint64_t exact = 0;           ///< answered by exact arithmetic, because nothing cheaper verified
@@ -47,7 +48,7 @@ struct SimplexCache {
   std::array<Index, 4> vertex_a{};
   std::array<Index, 4> vertex_b{};
   int simplex_size = 0;
-  Index element_a = 0;  ///< of models of more than one: the nearest
+  Index element_a = 0;  ///< for models of more than one element: the nearest
   Index element_b = 0;
   ConvexCounts counts{};  ///< of all questions asked with it
 };
@@ -65,7 +66,7 @@ struct Distance {
   Vec3 on_a{};
   Vec3 on_b{};
   Status status = Status::exact;
-  Index element_a = 0;  ///< of models of more than one element (see Model), such as triangles: which
+  Index element_a = 0;  ///< which element of a model of more than one (see Model), such as triangles
   Index element_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
@@ -132,9 +133,9 @@ struct Manifold {
 // what they promise, and each is a test of the others. All throw Error when one of the shapes is a surface.
 namespace toccata {
 
-/// By expanding a polytope within the Minkowski difference of the cores (G. van den Bergen, "Proximity queries and
-/// penetration depth computation on 3D game objects", 2001), with exact signs: for shapes of any size. The width of
-/// [lower, upper] is at most 2^-40 · upper.
+/// Finds the penetration by expanding a polytope within the Minkowski difference of the cores (G. van den Bergen,
+/// "Proximity queries and penetration depth computation on 3D game objects", 2001), with exact signs: for shapes of any
+/// size. The width of [lower, upper] is at most 2^-40 · upper.
 [[nodiscard]] Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
 
 /// Do they have a point in common? By separating axes of polyhedra: the normals of the faces of both, and the cross
@@ -161,7 +162,7 @@ namespace toccata {
 enum class GjkSupport : std::uint8_t {
   automatic,      ///< the faster of the two for so many vertices, as measured
   scan,           ///< all vertices are looked at, with vector instructions
-  hill_climbing,  ///< of a hull: along edges to ever farther neighbours, from the last vertex found; others are scanned
+  hill_climbing,  ///< on a hull along edges to ever farther neighbours, from the last vertex found; others are scanned
 };
 
 /// Whether the search aims along the nearest point so far, or farther ahead.
@@ -178,8 +179,8 @@ struct GjkOptions {
 };
 
 /// What `overlap` and `distance` promise, holds here too; where these use a formula for the pair, other numbers of the
-/// same interval may be told. Every bit of the answers is the same whatever the options are; what they save is told by
-/// the counts of the workspace: `steps` and `heights`.
+/// same interval may be answered. Every bit of the answers is the same whatever the options are; the counts of the
+/// workspace show what they save: `steps` and `heights`.
 [[nodiscard]] bool overlap_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},
                                   SimplexCache* workspace = nullptr);
 [[nodiscard]] Distance distance_by_gjk(const PosedPolytope& a, const PosedPolytope& b, const GjkOptions& options = {},

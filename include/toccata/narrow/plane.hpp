@@ -25,7 +25,7 @@ class Plane {
   Vec3 c_;
 };
 
-/// On which side `point` lies: positive where the normal points to, zero in the plane. Exact.
+/// The side on which `point` lies: positive where the normal points to, zero in the plane. Exact.
 [[nodiscard]] Sign side(const Plane& plane, const Vec3& point);
 
 /// The normal, unscaled; each coordinate is the double nearest to the exact one, so huge and tiny planes may over- or

@@ -52,7 +52,7 @@ class PosedPolytope {
 
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// It has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
+  /// Whether it has an interior: a positive radius, or it is a box or a hull that is not flat in its own frame.
   [[nodiscard]] bool solid() const { return solid_; }
 
   /// Vertices and faces of the shape in its own frame. In the world rounding may bend a face by the last place, and a
@@ -67,10 +67,11 @@ class PosedPolytope {
   [[nodiscard]] Index padded_count() const { return (count_ + 7) / 8 * 8; }
   [[nodiscard]] bool in_world() const { return in_world_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Of a hull, the greatest magnitude of a coordinate in its own frame; else 0.
+  /// For a hull, the greatest magnitude of a coordinate in its own frame; 0 for any other shape.
   [[nodiscard]] double stored_extent() const { return stored_extent_; }
 
-  /// Of a box, with a radius or without, what formulas for boxes read; of anything else its slack is infinite.
+  /// For a box, with a radius or without, the numbers that formulas for boxes read; for any other shape its slack is
+  /// infinite.
   [[nodiscard]] const RigidBox& as_box() const { return box_; }
 
  private:

@@ -19,7 +19,7 @@ struct RigidBox {
   double skew = 0;  ///< at least every |RᵀR − I|
 };
 
-/// Without slack where the pose has a number that is not finite.
+/// The box at its place; its slack is infinite where the pose has a number that is not finite.
 [[nodiscard]] RigidBox rigid_box(const Box& box, const Pose& pose);
 
 }  // namespace toccata

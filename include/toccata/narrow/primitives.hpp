@@ -24,7 +24,7 @@ namespace toccata {
 [[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 [[nodiscard]] bool overlap(const Sphere& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 
-/// With the nearest points, as for any two convex shapes.
+/// The distance with the nearest points, as for any two convex shapes.
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedSphere& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const Triangle& b);
 [[nodiscard]] Distance distance(const PosedSphere& a, const PosedBox& b);
@@ -56,7 +56,7 @@ namespace toccata {
 [[nodiscard]] bool overlap(const PosedCapsule& a, const Triangle& b);
 [[nodiscard]] bool overlap(const PosedCapsule& a, const PosedBox& b);
 
-/// Of two capsules and their poses; throws Error as the posed ones do.
+/// The same for two capsules and their poses; throws Error as making the posed capsules does.
 [[nodiscard]] bool overlap(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 
 [[nodiscard]] Distance distance(const PosedCapsule& a, const PosedCapsule& b);
@@ -97,7 +97,7 @@ namespace toccata {
 [[nodiscard]] Manifold manifold(const Capsule& a, const Pose& pose_a, const Capsule& b, const Pose& pose_b);
 [[nodiscard]] Manifold manifold(const Capsule& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 
-/// Of a capsule and a box that nobody has posed.
+/// The same for a capsule and a box that have not been posed yet.
 [[nodiscard]] bool overlap(const Capsule& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 [[nodiscard]] Distance distance(const Capsule& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 

@@ -111,13 +111,13 @@ struct BoundaryPoint {
 // Where cylinders, cones and ellipsoids touch or overlap other convex shapes.
 namespace toccata {
 
-// Empty exactly when the shapes are apart (`quadric_contact`). The normal is the direction of the penetration, told of
-// surfaces too, or of touching. Along it each shape has a face, a line or a point: a face where one turns to the normal
-// within two degrees (a cap, a polygon), a line where one lies across it as closely (an edge, a line of a round side),
-// else the farthest point. The points are up to four of what the two have in common when seen along the normal, a gap
-// of 2⁻¹⁰ of its extent included: the deepest first, then such that they span it. A face and a face have up to four (a
-// standing cylinder: four points of its rim), a line with a line along it or with a face two (a lying cylinder),
-// everything else one.
+// Empty exactly when the shapes are apart (`quadric_contact`). The normal is the direction of the penetration, which is
+// found for surfaces too, or of touching. Along it each shape has a face, a line or a point: a face where one turns to
+// the normal within two degrees (a cap, a polygon), a line where one lies across it as closely (an edge, a line of a
+// round side), else the farthest point. The points are up to four of what the two have in common when seen along the
+// normal, a gap of 2⁻¹⁰ of its extent included: the deepest first, then such that they span it. A face and a face have
+// up to four (a standing cylinder: four points of its rim), a line with a line along it or with a face two (a lying
+// cylinder), everything else one.
 //
 // Each position is half way between a point of A and one of B that are |depth| apart along the normal; both are off
 // from their shapes by at most 10⁻¹¹ of the size of the pair (of the quadric, and how far the other reaches from
@@ -130,8 +130,8 @@ namespace toccata {
 //   cone       face 0 the cap, 1 the side; edges 0 to 3 the quarters of the rim; vertex 0 the tip
 //   ellipsoid  face 0
 //
-// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit. Of two equal shapes at
-// one place both orders are the same question, and have the same answer.
+// Exchanging the shapes turns the normal round, exchanges the features and changes no other bit. For two equal shapes
+// at one place both orders are the same question, and have the same answer.
 [[nodiscard]] Manifold manifold(const PosedQuadric& a, const PosedQuadric& b);
 [[nodiscard]] Manifold manifold(const PosedQuadric& a, const PosedPolytope& b);
 [[nodiscard]] Manifold manifold(const PosedPolytope& a, const PosedQuadric& b);
@@ -145,7 +145,7 @@ namespace toccata {
 
 // Apart and overlapping (crossing: a surface) are proved, and containment. Touching is exact where a point of doubles
 // in both and a plane between them prove it, as along the axes, and against half-spaces; else it has the status
-// undecided, and stands for what QuadricContact calls so, or for a contact without such a plane. Of two that overlap,
+// undecided, and stands for what QuadricContact calls so, or for a contact without such a plane. For two that overlap,
 // undecided says: within 10⁻¹² of the size of one holding the other; not_converged: a search ended, near a capsule or a
 // rounded shape. Containment is none then.
 [[nodiscard]] Relation relation(const PosedQuadric& a, const PosedQuadric& b);
@@ -165,7 +165,7 @@ namespace toccata {
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedQuadric& b);
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedPolytope& b);
 [[nodiscard]] Penetration penetration(const PosedPolytope& a, const PosedQuadric& b);
-/// As narrow as a distance.
+/// The bracket is as narrow as that of a distance.
 [[nodiscard]] Penetration penetration(const PosedQuadric& a, const PosedHalfSpace& b);
 [[nodiscard]] Penetration penetration(const PosedHalfSpace& a, const PosedQuadric& b);
 

@@ -16,7 +16,7 @@ enum class FeatureKind : std::uint8_t { vertex, edge, face };
 struct Feature {
   FeatureKind kind = FeatureKind::face;
   std::uint8_t index = 0;
-  /// By kind, then by index.
+  /// Features are ordered by kind, then by index.
   friend constexpr auto operator<=>(const Feature&, const Feature&) = default;
 };
 
@@ -34,7 +34,7 @@ struct IntersectionPoint {
   friend constexpr auto operator<=>(const IntersectionPoint&, const IntersectionPoint&) = default;
 };
 
-/// The exact common set of two closed triangles, told by features, without a rounded coordinate.
+/// The exact common set of two closed triangles, described by features, without a rounded coordinate.
 struct Intersection {
   IntersectionKind kind = IntersectionKind::none;
   bool coplanar = false;  ///< all six vertices lie in one plane
@@ -42,8 +42,8 @@ struct Intersection {
   Feature on_a;           ///< the smallest feature of each triangle that contains the whole intersection
   Feature on_b;
   std::uint8_t count = 0;  ///< of extreme points: 0, 1, 2, or up to 6
-  /// Of a segment the lesser first, by (on_a, on_b); of a polygon in cyclic order, from the least towards the lesser of
-  /// its two neighbours.
+  /// The ends of a segment are listed with the lesser first, by (on_a, on_b); the corners of a polygon in cyclic order,
+  /// from the least towards the lesser of its two neighbours.
   std::array<IntersectionPoint, 6> points{};
   friend constexpr bool operator==(const Intersection&, const Intersection&) = default;
 };

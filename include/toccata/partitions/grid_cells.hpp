@@ -107,8 +107,8 @@ struct MovingBox {
 /// Throws Error when a number is not finite, a box has lower > upper, or from > until.
 void require_motion(const MovingBox& motion);
 
-/// In space and time: contains the box at all times from `from` to `until`, which lie within the motion's; larger than
-/// the least such box by rounding alone.
+/// A box in space and time: it contains the box at all times from `from` to `until`, which lie within the motion's;
+/// larger than the least such box by rounding alone.
 [[nodiscard]] GridBox<4> swept(const MovingBox& motion, double from, double until);
 
 }  // namespace toccata

@@ -11,7 +11,7 @@ namespace toccata {
 struct KdTreeOptions {
   Index leaf_items = 8;    ///< a cell of no more is not split
   Index most_depth = 40;   ///< the cell of all items is at depth 0
-  double most_copies = 8;  ///< of an item, on average: when there are so many, nothing more is split
+  double most_copies = 8;  ///< the most copies of an item, on average: when there are so many, nothing more is split
 };
 
 /// The box of all items, cut in two by a plane across an axis where that is thought to pay, and these again (J. L.
@@ -30,7 +30,7 @@ class KdTree {
   [[nodiscard]] std::vector<Index> candidates(const Aabb& box) const;
   [[nodiscard]] std::vector<IndexPair> candidate_pairs() const;
   [[nodiscard]] std::vector<PartitionCell> cells() const;
-  /// As if cells at that depth had not been cut: they, and the leaves above.
+  /// The cells as if those at that depth had not been cut: they, and the leaves above.
   [[nodiscard]] std::vector<PartitionCell> cells_at(Index depth) const;
   [[nodiscard]] Index greatest_depth() const;
   [[nodiscard]] std::size_t bytes() const;

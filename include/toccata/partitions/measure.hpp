@@ -21,7 +21,7 @@ inline constexpr std::array all_partition_kinds{PartitionKind::grid_2d, Partitio
 /// "grid-2d", "grid", "octree", "kd-tree", "r-tree" (packed at once), "inserted-r-tree" (item by item).
 [[nodiscard]] std::string_view name_of(PartitionKind kind);
 
-/// It groups the items, and its regions may overlap; else it cuts space, and items may be in many cells.
+/// Whether it groups the items, so that its regions may overlap; else it cuts space, and items may be in many cells.
 [[nodiscard]] bool is_object_centric(PartitionKind kind);
 
 /// A partition over some items, measured. Times are of the caller's thread; counts depend on the items alone.
@@ -34,16 +34,16 @@ struct PartitionCost {
   double cells_at_an_item = 0;  ///< space redundancy: in how many cells' boxes the middle of an item lies, on average
   std::size_t bytes = 0;
   double build_ns = 0;
-  double candidates = 0;   ///< of a box question, on average: items that are then asked themselves
-  double answers = 0;      ///< of these, those that meet the box
+  double candidates = 0;   ///< items that are asked themselves by a box question, on average
+  double answers = 0;      ///< those of these that meet the box, on average
   double question_ns = 0;  ///< on average, with the decision of every candidate
   std::size_t candidate_pairs = 0;
-  std::size_t pairs = 0;  ///< of items that meet
+  std::size_t pairs = 0;  ///< pairs of items that meet
   double pairs_ns = 0;    ///< all of them, with the decision of every candidate
 };
 
 struct PartitionCostOptions {
-  std::size_t questions = 1000;  ///< of boxes around items, each twice as large as that of its item
+  std::size_t questions = 1000;  ///< questions about boxes around items, each twice as large as that of its item
   std::uint64_t seed = 1;        ///< which items
   Progress progress{};
 };
@@ -58,8 +58,8 @@ struct PartitionLevel {
   std::vector<PartitionCell> cells;
 };
 
-/// From the cell of all items down: those of at most `most_cells`, and the last one, of all cells as they are. A grid
-/// has this one alone.
+/// The levels from the cell of all items down: those of at most `most_cells`, and the last one, of all cells as they
+/// are. A grid has this one alone.
 [[nodiscard]] std::vector<PartitionLevel> partition_levels(PartitionKind kind, const PartitionItems& items,
                                                            std::size_t most_cells = 4096);
 

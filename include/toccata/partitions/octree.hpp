@@ -11,7 +11,7 @@ namespace toccata {
 struct OctreeOptions {
   Index leaf_items = 16;   ///< a cell of no more is not split
   Index most_depth = 16;   ///< the cell of all items is at depth 0
-  double most_copies = 8;  ///< of an item, on average: when there are so many, nothing more is split
+  double most_copies = 8;  ///< the most copies of an item, on average: when there are so many, nothing more is split
 };
 
 /// A cube around all items, cut into eight where it holds many, and these again (D. Meagher, "Geometric modeling using
@@ -28,7 +28,7 @@ class Octree {
   [[nodiscard]] std::vector<Index> candidates(const Aabb& box) const;
   [[nodiscard]] std::vector<IndexPair> candidate_pairs() const;
   [[nodiscard]] std::vector<PartitionCell> cells() const;
-  /// As if cells at that depth had not been cut: they, and the leaves above.
+  /// The cells as if those at that depth had not been cut: they, and the leaves above.
   [[nodiscard]] std::vector<PartitionCell> cells_at(Index depth) const;
   [[nodiscard]] Index greatest_depth() const;
   [[nodiscard]] std::size_t bytes() const;

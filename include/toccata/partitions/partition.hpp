@@ -29,7 +29,7 @@ class PartitionItems {
   [[nodiscard]] std::span<const Aabb> boxes() const { return data_->boxes; }
   /// Empty where the items are boxes.
   [[nodiscard]] std::span<const Triangle> triangles() const { return data_->triangles; }
-  /// Around all of them.
+  /// The box around all of them.
   [[nodiscard]] const Aabb& bounds() const { return data_->bounds; }
 
   /// The item itself, not only its box, has a point in common with the closed box. Exact.
@@ -53,11 +53,11 @@ struct PartitionCell {
 };
 
 /// A partition of space over items. A candidate is an item whose box overlaps what is asked about and that shares a
-/// region with it: none that meets it is missing. Of items that are boxes the candidates are the answer; of triangles
-/// `PartitionItems::meets` and `meet` decide. Const functions may be called from many threads at once.
+/// region with it: none that meets it is missing. Where the items are boxes the candidates are the answer; for
+/// triangles `PartitionItems::meets` and `meet` decide. Const functions may be called from many threads at once.
 template <class P>
 concept SpacePartition = requires(const P& partition, const Aabb& box) {
-  /// Those that hold an item.
+  /// The cells that hold an item.
   { partition.cells() } -> std::same_as<std::vector<PartitionCell>>;
   /// Ascending, each once. Touching counts.
   { partition.candidates(box) } -> std::same_as<std::vector<Index>>;

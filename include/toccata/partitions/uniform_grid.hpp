@@ -20,16 +20,17 @@ struct UniformGridOptions {
 /// Space cut into cells of one size, each with the list of items that reach into it: items are rasterised as lines of a
 /// picture are. Only cells that hold something are stored. Space-centric: an item is in every cell it meets.
 ///
-/// Of D = 2 the axes are x and y (cells are columns along z), of 3 x, y and z, and of 4 also time.
+/// With D = 2 the axes are x and y (cells are columns along z), with 3 they are x, y and z, and with 4 time is the
+/// fourth.
 template <std::size_t D>
 class UniformGrid {
  public:
-  /// Of boxes, by number. Throws Error naming one that is not finite or has lower > upper.
+  /// A grid of boxes, which are items by their number. Throws Error naming one that is not finite or has lower > upper.
   UniformGrid(const GridCells<D>& grid, std::span<const GridBox<D>> boxes, const UniformGridOptions& options = {});
   /// A triangle is in the cells that it meets itself, exactly, not all that its box meets.
   UniformGrid(const PartitionItems& items, const GridCells<D>& grid,
               const UniformGridOptions& options = {}) requires(D <= 3);
-  /// With the cells of `grid_for`.
+  /// The same with the cells of `grid_for`.
   explicit UniformGrid(const PartitionItems& items, const UniformGridOptions& options = {}) requires(D <= 3);
   /// Boxes that move, each in the cells of space and time that it visits: none is missing, and there may be
   /// some that it comes up to by a rounding error, or reaches when their time ends. Throws Error naming one that is no
@@ -42,11 +43,11 @@ class UniformGrid {
   ~UniformGrid();
 
   [[nodiscard]] const GridCells<D>& grid() const;
-  /// Of cells that hold an item.
+  /// The number of cells that hold an item.
   [[nodiscard]] std::size_t cell_count() const;
   [[nodiscard]] const GridCell<D>& cell(std::size_t i) const;
   [[nodiscard]] std::span<const Index> items_in(std::size_t i) const;
-  /// Those in no cell, ascending: too large, or outside of the grid.
+  /// The items in no cell, ascending: too large, or outside of the grid.
   [[nodiscard]] std::span<const Index> without_cells() const;
 
   /// Items whose box overlaps and that share a cell with it, and those without cells, ascending, each once.

@@ -16,7 +16,7 @@ struct RayHit : Cast {
 };
 
 /// The first meeting of the ray from `origin` to `origin + motion` (world) with the posed model; the time is the
-/// fraction of the way. Of meshes, height fields and compounds it is the earliest of their elements, by (upper,
+/// fraction of the way. For meshes, height fields and compounds it is the earliest of their elements, by (upper,
 /// element). A solid is met at once by a ray that starts inside; `solid` says whether a closed mesh is one, and with
 /// Solid::none its surface alone is met. No ray passes between two triangles that share an edge or a corner. Throws
 /// Error when a number is not finite or the motion is zero, and for poses as `overlap` does.
@@ -36,7 +36,7 @@ struct ShapeHit : Cast {
   friend constexpr bool operator==(const ShapeHit&, const ShapeHit&) = default;
 };
 
-/// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. Of meshes,
+/// The first meeting of A, moved from its pose by `motion` (world) without turning, with B, which stands. For meshes,
 /// height fields and compounds it is the earliest of their elements, by (upper, element of A, element of B). Where some
 /// elements meet at the start, two of those that do are named, always the same; a solid that holds the other, or a part
 /// of it, at the start is met at once. What is to leave a contact, or to stop a distance before one, is asked of

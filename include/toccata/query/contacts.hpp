@@ -14,14 +14,14 @@
 
 namespace toccata {
 
-/// Two triangles, one of each model, that have a point in common, and what they have in common. Of models that are not
-/// made of triangles, the elements (see Model) instead.
+/// Two triangles, one of each model, that have a point in common, and what they have in common. For models that are not
+/// made of triangles, these are elements (see Model) instead.
 struct Contact {
   Index triangle_a = 0;
   Index triangle_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
-  Intersection intersection;  ///< of two triangles; else of kind none, and `manifold` tells points
+  Intersection intersection;  ///< that of two triangles; else of kind none, and `manifold` finds points
 
   friend constexpr bool operator==(const Contact&, const Contact&) = default;
 };
@@ -60,7 +60,7 @@ namespace toccata {
   return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.intersection)};
 }
 
-/// In their order; sort them anew.
+/// The contacts with A and B exchanged, in their old order; sort them anew.
 [[nodiscard]] inline std::vector<Contact> flipped(std::vector<Contact> contacts) {
   for (Contact& contact : contacts) contact = flipped(contact);
   return contacts;
@@ -78,7 +78,7 @@ struct ContactRegion {
   };
 
   std::size_t triangle_pairs = 0;  ///< that meet in it
-  std::size_t face_pairs = 0;      ///< of the files' faces
+  std::size_t face_pairs = 0;      ///< pairs of the files' faces
   Aabb box;  ///< around its points and, of two solids, the vertices of each inside the other that hang on them
   std::size_t point_count = 0;  ///< distinct corners of the curves and of the areas
   /// The curves consist of loops: as often as a crossing segment begins at one of their points, one ends there. Not so
@@ -87,16 +87,16 @@ struct ContactRegion {
   /// Closed curves along which the two cross here, after one of them was moved by less than any length; where one is a
   /// surface that ends here, curves that are not closed count, too.
   std::size_t curve_count = 0;
-  /// Of two solids, that of the shadow which the common part casts along the normal, where it folds as often as it does
-  /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Else of the shadow
-  /// of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 of points and of curves
-  /// that are not closed.
+  /// For two solids, the area of the shadow that the common part casts along the normal, counted as often as it folds
+  /// (half the area of its surface, as seen along the normal), and of faces that touch from outside. Otherwise the area
+  /// of the shadow of what the curve bounds, which the curve alone determines (Stokes), and of the areas; 0 for points
+  /// and for curves that are not closed.
   double area = 0;
-  /// Unit, from A to B. Of two solids that overlap here from the point of B's surface that is nearest to `deepest` to
-  /// that of A's; else the direction of the vector area of A's surface within B, else the mean of the faces' normals,
-  /// else zero.
+  /// Unit, from A to B. For two solids that overlap here it leads from the point of B's surface that is nearest to
+  /// `deepest` to that of A's; else it is the direction of the vector area of A's surface within B, else the mean of
+  /// the faces' normals, else zero.
   Vec3 normal{};
-  /// Of two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
+  /// For two solids, the greatest sum of the distances of a point from A's surface and from B's, over the points in
   /// `box` that lie in both. B moved by less than `lower`, in whichever direction, still overlaps A: it is a lower
   /// bound of their penetration. `upper` is at most 10 % more, where that is found in reasonable time, and both are 0,
   /// or `lower` is and `upper` some last places of the coordinates, where they touch. None where one is a surface.

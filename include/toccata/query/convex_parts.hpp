@@ -33,7 +33,7 @@ struct ConvexPart {
   /// where the hull lies within the solid.
   double concavity = 0;
   double concavity_found = 0;  ///< some point of the hull is as far as this, at least
-  std::vector<Index> faces;    ///< of the mesh, ascending: those that the part has more than the border of
+  std::vector<Index> faces;    ///< faces of the mesh that the part has more than the border of, ascending
 };
 
 /// Convex parts whose union contains a solid.

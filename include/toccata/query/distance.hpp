@@ -8,12 +8,12 @@
 
 namespace toccata {
 
-/// The distance of the two posed models, certified; 0 when they meet, also when one lies within a solid. Of meshes it
-/// is the least of their triangles, of a compound the least of its parts, by (upper, element of A, element of B); what
+/// The distance of the two posed models, certified; 0 when they meet, also when one lies within a solid. For meshes it
+/// is the least of their triangles, for a compound the least of its parts, by (upper, element of A, element of B); what
 /// lies inside a mesh taken as a surface is at a distance from it. Where a mesh meets something, the elements named are
 /// the first that are found to meet. For the same two trees and poses they are always the same; they are not the least
-/// (`first_contact`), and others where A and B are exchanged. Of a model within a solid mesh the element named is one
-/// of the part that lies inside, and of the solid the first. Throws like `overlap`.
+/// (`first_contact`), and others where A and B are exchanged. Where a model lies within a solid mesh, the element named
+/// is one of the part that lies inside, and for the solid the first. Throws like `overlap`.
 [[nodiscard]] Distance distance(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.

@@ -22,8 +22,8 @@ struct FoundElement {
   friend constexpr bool operator==(const FoundElement&, const FoundElement&) = default;
 };
 
-/// All elements of the posed model that have a point in common with the region, touching included, ascending. Exact,
-/// as `overlap` is; nothing is left out. Of a mesh its triangles are asked about, whether it is closed or not: a region
+/// All elements of the posed model that have a point in common with the region, touching included, ascending. Exact, as
+/// `overlap` is; nothing is left out. A mesh is asked about by its triangles, whether it is closed or not: a region
 /// deep inside of it finds none. Throws Error when the box or ball is empty or not finite, and for poses as `overlap`
 /// does.
 [[nodiscard]] std::vector<FoundElement> faces_in_region(const Region& region, const Model& model,

@@ -30,8 +30,8 @@ struct ModelManifold : Manifold {
 /// or another triangle has the contact.
 ///
 /// Empty exactly when the two are apart, but for two half-spaces, and for what lies wholly within the other where no
-/// penetration is defined (pairs.hpp) or found (`depth_bracket`): an open mesh in a closed one. Of what lies wholly
-/// within, there is one point along the direction of the penetration. Throws like `overlap`.
+/// penetration is defined (pairs.hpp) or found (`depth_bracket`): an open mesh in a closed one. What lies wholly within
+/// the other has one point along the direction of the penetration. Throws like `overlap`.
 [[nodiscard]] std::vector<ModelManifold> manifolds(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.

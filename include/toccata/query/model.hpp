@@ -69,8 +69,8 @@ class Model {
   /// than a tree holds (2²⁸).
   explicit Model(TriangleMesh mesh, int threads = own_thread);
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, int threads = own_thread);
-  /// With a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over the
-  /// mesh's triangles, which it looks through once.
+  /// Takes a tree that was built before (`save_tree`, `load_model`). Throws Error saying why when it is no tree over
+  /// the mesh's triangles, which it looks through once.
   explicit Model(std::shared_ptr<const TriangleMesh> mesh, WideBvh tree);
   explicit Model(HeightField field, int threads = own_thread);
   explicit Model(Compound compound, int threads = own_thread);
@@ -91,8 +91,8 @@ class Model {
   Refit deform(std::vector<Vec3> vertices, int threads = own_thread);
 
   /// Makes what is not made yet of these, of the parts of a compound too, on up to `threads` threads
-  /// (core/parallel.hpp): then no question waits for it. Of other shapes there is nothing to make. Questions may be
-  /// asked meanwhile.
+  /// (core/parallel.hpp): then no question waits for it. Other shapes have nothing to make. Questions may be asked
+  /// meanwhile.
   void prepare(std::span<const ModelPart> parts = all_model_parts, int threads = all_threads) const;
 
   /// What there is to make, or was made, of each of `all_model_parts`, in their order; of a compound that of its parts
@@ -101,10 +101,10 @@ class Model {
 
   [[nodiscard]] const Shape& shape() const;
 
-  /// It is a mesh or a height field.
+  /// Whether it is a mesh or a height field.
   [[nodiscard]] bool has_mesh() const;
 
-  /// Of a compound, in its order; else none.
+  /// The parts of a compound, in its order; empty for any other model.
   [[nodiscard]] std::span<const Model> parts() const;
 
   /// How many elements and faces it has.
@@ -138,7 +138,7 @@ class Model {
   /// The plain binary tree over the triangles, for comparison; built when first asked for.
   [[nodiscard]] const Bvh<Aabb>& tree() const;
 
-  /// Around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
+  /// The box around all vertices, also those that no triangle uses; in the mesh's own frame, exact.
   [[nodiscard]] const Aabb& bounds() const;
 
   /// The connected parts of the mesh; found out when first asked for.

@@ -37,9 +37,9 @@ struct SurfacePoint {
 /// The nearest point of the surface of a model, also from within: of a mesh or height field of its triangles, of a box,
 /// ball, hull or any other solid of its boundary, which is one element. A point, segment or triangle is its own
 /// surface. The surface of a compound is that of all its parts, also what lies within another part, as it is with the
-/// shells of one mesh. Of elements that are equally near it is the first: the least by (upper, element). The same bits
-/// at every SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest distance
-/// is negative, and for poses as `overlap` does.
+/// shells of one mesh. Among elements that are equally near it is the first: the least by (upper, element). The same
+/// bits at every SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest
+/// distance is negative, and for poses as `overlap` does.
 [[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query = {});
 
 /// The same, for a caller who asks often.

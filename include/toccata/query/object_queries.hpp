@@ -17,7 +17,8 @@
 // by itself: those that it is not asked of are left out by their boxes, which loses nothing.
 namespace toccata {
 
-/// From `origin` to `origin + motion`, in the world: times are fractions of the way. It is as long as is looked far.
+/// A ray from `origin` to `origin + motion`, in the world: times are fractions of the way. It is as long as is looked
+/// far.
 struct Ray {
   Vec3 origin;
   Vec3 motion;
@@ -38,8 +39,8 @@ struct InstanceView {
 
 /// The questions that SceneIndex and WorldQueries answer. `Objects` says what is asked, how an object is named (`Id`),
 /// by what some are chosen (`Filter`), and in what an answer about one of them comes (`Found`). Questions may be asked
-/// from many threads at once; the answers do not depend on them. Of a shape that is asked about, name and group are not
-/// looked at. Errors about an object begin with its name.
+/// from many threads at once; the answers do not depend on them. The name and group of a shape that is asked about are
+/// not looked at. Errors about an object begin with its name.
 ///
 /// The first and the nearest of all are the least by (upper, id), and `lower` is such that the interval contains the
 /// exact number of all of them together, as that of a compound does. Lists ascend by id unless more is said.
@@ -60,7 +61,7 @@ class ObjectQueries {
   /// could meet is one for which pairs.hpp does not define it, as of two half-spaces.
   [[nodiscard]] std::optional<Found<ShapeHit>> cast_shape(const MovingShape& moving, const Filter& filter = {}) const;
 
-  /// Those that have a point in common with the shape. Throws like `overlap`.
+  /// The objects that have a point in common with the shape. Throws like `overlap`.
   [[nodiscard]] std::vector<Id> overlapping(const SceneInstance& shape, const Filter& filter = {}) const;
   /// The same, and how: the shape is A. Throws like `relation`.
   [[nodiscard]] std::vector<Found<Relation>> relations(const SceneInstance& shape, const Filter& filter = {}) const;
@@ -69,7 +70,7 @@ class ObjectQueries {
   /// (`within_distance`). Throws like `distance`, and when the greatest distance is negative or no number.
   [[nodiscard]] std::optional<Found<Distance>> nearest(const SceneInstance& shape, double max_distance = unlimited,
                                                        const Filter& filter = {}) const;
-  /// Those that are at most so far from the shape, decided exactly. Throws like `within_distance`.
+  /// The objects that are at most so far from the shape, decided exactly. Throws like `within_distance`.
   [[nodiscard]] std::vector<Id> within(const SceneInstance& shape, double distance, const Filter& filter = {}) const;
 
   // The same asked many times at once; an error begins with "ray i: " or "shape i: ", of the least such i.

@@ -30,10 +30,11 @@ struct OverlapVolume {
   friend constexpr bool operator==(const OverlapVolume&, const OverlapVolume&) = default;
 };
 
-/// Of two closed meshes, boxes and hulls by an integral over their surfaces, whose pieces are exact. Where a mesh
-/// passes through itself there, or winds otherwise than once, by cells that are certainly in
-/// both or may be; of what is round by polyhedra within it and around it, which is some thousandths wide; of compounds
-/// by their parts (docs/methods/overlap-volume.md). All brackets hold. Exchanging the models changes nothing.
+/// The volume that both models share. For two closed meshes, boxes and hulls it is an integral over their surfaces,
+/// whose pieces are exact. Where a mesh passes through itself there, or winds otherwise than once, it is bracketed by
+/// the cells that are certainly in both and those that may be; for round shapes by polyhedra within them and around
+/// them, a bracket some thousandths wide; for compounds it is found by their parts (docs/methods/overlap-volume.md).
+/// All brackets hold. Exchanging the models changes nothing.
 ///
 /// Throws Error where one is taken as a surface, for two half-spaces, and as `overlap` does.
 [[nodiscard]] OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query = {});

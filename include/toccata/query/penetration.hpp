@@ -9,8 +9,8 @@
 
 namespace toccata {
 
-/// How deep two solids overlap, and a short way to part them. Of two convex shapes, or one and a half-space, as in
-/// convex_convex.hpp. Of closed meshes and compounds the bracket holds as well, and is wider: `lower` is proved by
+/// How deep two solids overlap, and a short way to part them. For two convex shapes, or one and a half-space, it is as
+/// in convex_convex.hpp. For closed meshes and compounds the bracket holds as well, and is wider: `lower` is proved by
 /// convex bodies within the two, `upper · direction` by a distance that is not 0 after it, in the world doubles and in
 /// exact arithmetic (docs/methods/penetration.md). Then `status` is `not_converged` where upper > 1.5 · lower; on_a and
 /// on_b are where the two come apart last. When they do not overlap, both bounds are 0 and the points those of
@@ -49,7 +49,7 @@ struct DepthBracket {
 
 /// The penetration, as narrow as asked. Where more than 2 % is enough, the place at which two solids are deepest in
 /// each other is looked at first, which takes a few milliseconds and mostly is enough where they are not deep. Throws
-/// like it, and Error for options that are not as told.
+/// like it, and Error for options that are not as described.
 [[nodiscard]] DepthBracket depth_bracket(const Model& a, const Model& b, const PairQuery& query,
                                          const DepthOptions& options);
 

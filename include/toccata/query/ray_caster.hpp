@@ -17,7 +17,7 @@ class RayCaster {
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
 
-  /// What `cast_ray` tells of the ray, to the bit. Throws as it does of the ray.
+  /// What `cast_ray` answers for the ray, to the bit. Throws as it does of the ray.
   [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
 
  private:

@@ -7,12 +7,12 @@
 namespace toccata {
 
 /// Exact, also where every pair of triangles merely touches: two aligned boxes that share half their volume overlap.
-/// Of cylinders, cones and ellipsoids the status tells when it is undecided, which is called touching. Throws like
-/// `overlap`.
+/// For cylinders, cones and ellipsoids the status says when the relation is undecided; it is then called touching.
+/// Throws like `overlap`.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query = {});
 
-/// The same, for a caller who asks often. Of solids whose surfaces meet, what lies beside them is looked at in rational
-/// numbers; these take memory of their own.
+/// The same, for a caller who asks often. Where the surfaces of solids meet, what lies beside them is looked at in
+/// rational numbers; these take memory of their own.
 [[nodiscard]] Relation relation(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace);
 
 /// Make a Model of it, once: `Model(mesh)`.

@@ -43,7 +43,7 @@ enum class Rebalance {
 struct HierarchyLevel {
   std::size_t nodes = 0;
   std::size_t leaves = 0;
-  std::size_t most_children = 0;              ///< of one node
+  std::size_t most_children = 0;              ///< the most children of one node
   std::size_t sibling_pairs = 0;              ///< each two children of one of these nodes
   std::size_t overlapping_sibling_pairs = 0;  ///< those of which the boxes overlap; touching counts
 };

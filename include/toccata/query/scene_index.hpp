@@ -66,8 +66,8 @@ struct ScenePoint {
   friend constexpr bool operator==(const ScenePoint&, const ScenePoint&) = default;
 };
 
-/// For each point what `nearest_points` tells, of the elements of all models: in the order of (upper, object, element).
-/// The same for any number of threads. Throws like it.
+/// For each point what `nearest_points` answers, over the elements of all models: in the order of (upper, object,
+/// element). The same for any number of threads. Throws like it.
 [[nodiscard]] std::vector<std::vector<ScenePoint>> nearest_points_each(
     std::span<const Vec3> points, std::size_t k, std::span<const SceneInstance> models,
     double max_distance = std::numeric_limits<double>::infinity(), const BatchOptions& options = {});
@@ -76,15 +76,15 @@ struct ScenePoint {
 struct SceneSignedDistance {
   SignedDistance distance;
   Index object = 0;  ///< whose surface is the nearest
-  /// The model that the point is inside of: the first of those that are told exactly, else the first by its generalised
-  /// winding number. Where the side is undecided, the first that may hold it.
+  /// The model that the point is inside of: the first of those that are known exactly, else the first by its
+  /// generalised winding number. Where the side is undecided, the first that may hold it.
   std::optional<Index> inside_of;
   friend bool operator==(const SceneSignedDistance&, const SceneSignedDistance&) = default;
 };
 
-/// For each point what `signed_distance` tells of the models as of one compound, whatever they are taken for (`solid`
-/// is not looked at); but of a point on a surface `sign_by` is that of the object whose surface it is. Throws like it,
-/// and Error where there is no model.
+/// For each point what `signed_distance` answers for the models as for one compound, whatever they are taken for
+/// (`solid` is not looked at); but of a point on a surface `sign_by` is that of the object whose surface it is. Throws
+/// like it, and Error where there is no model.
 [[nodiscard]] std::vector<SceneSignedDistance> signed_distance_each(std::span<const Vec3> points,
                                                                     std::span<const SceneInstance> models,
                                                                     SignBy sign_by = SignBy::automatic,

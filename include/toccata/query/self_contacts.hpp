@@ -11,9 +11,9 @@
 namespace toccata {
 
 // Where a mesh intersects itself: two of its world triangles that have more in common than the hull of the world
-// vertices that they share, or that have the same vertices (docs/truth.md). Sharing is told by coordinates: numbers of
-// vertices do not matter, so a soup of triangles is answered like a welded mesh. Exact. The mesh may be open or closed,
-// a solid or not. Throws Error when the pose or a world vertex is not finite, and for a model that is no mesh.
+// vertices that they share, or that have the same vertices (docs/truth.md). Sharing is decided by coordinates: numbers
+// of vertices do not matter, so a soup of triangles is answered like a welded mesh. Exact. The mesh may be open or
+// closed, a solid or not. Throws Error when the pose or a world vertex is not finite, and for a model that is no mesh.
 
 /// All pairs of triangles in which the posed model meets itself, ascending by (triangle_a, triangle_b); triangle_a is
 /// the lesser. The intersection is all that the two have in common, also what they share.

@@ -25,7 +25,8 @@ enum class SubdivisionScheme : std::uint8_t {
 
 /// An edge of the cage that is to stay sharp: for ever where the sharpness is `sharp_for_ever` or more, else for as
 /// many levels, and blended in the last where it is no whole number (T. DeRose, M. Kass, T. Truong, "Subdivision
-/// surfaces in character animation", 1998; uniform, as OpenSubdiv has it). Of several for one edge the sharpest counts.
+/// surfaces in character animation", 1998; uniform, as OpenSubdiv has it). Where one edge has several, the sharpest
+/// counts.
 struct CageCrease {
   Index first = 0;
   Index second = 0;
@@ -62,7 +63,8 @@ struct CageFeatures {
 /// The faces of a mesh as a cage has them.
 struct CagePolygons {
   PolygonMesh polygons;
-  /// Of each vertex of the mesh; the greatest Index of one that no triangle uses, which a cage has not.
+  /// For each vertex of the mesh, its number in the cage; the greatest Index for one that no triangle uses, which the
+  /// cage does not have.
   std::vector<Index> vertex_of;
 };
 
@@ -88,8 +90,8 @@ class SubdivisionCage {
   /// has it: these follow the others, and are corners of the features.
   SubdivisionCage(PolygonMesh polygons, SubdivisionScheme scheme, CageFeatures features = {});
 
-  /// Of `cage_polygons`. Features name vertices of the mesh, and so do errors, with their coordinates. Throws Error as
-  /// both do.
+  /// A cage of the polygons that `cage_polygons` finds. Features name vertices of the mesh, and so do errors, with
+  /// their coordinates. Throws Error as both do.
   [[nodiscard]] static SubdivisionCage of_mesh(const TriangleMesh& mesh, SubdivisionScheme scheme,
                                                CageFeatures features = {});
 
@@ -115,13 +117,13 @@ struct RefinementOptions {
   int levels = 0;
   /// Refining ends before there were more, not counting what faces beside finer ones are cut into for their sake.
   std::size_t max_triangles = std::size_t{1} << 22;
-  Progress progress{};  ///< is told how many of these there are, level by level
+  Progress progress{};  ///< is called with how many of these there are, level by level
 };
 
 /// A mesh in place of a limit surface, and how far from each other they are.
 struct SubdividedMesh {
-  /// Without cracks, closed where the cage is, turned as the cage is; also where neighbours are of different levels.
-  /// Faces are those of the cage.
+  /// The mesh has no cracks, and is closed where the cage is and turned as the cage is; also where neighbours are of
+  /// different levels. Faces are those of the cage.
   TriangleMesh mesh;
   /// Proved: no point of the limit surface is farther than this from the mesh, and no point of the mesh is farther
   /// than this from the limit surface. In units of the cage; rounding is counted.
@@ -153,10 +155,10 @@ struct LimitQuery {
   /// undecided.
   double tolerance = 1e-6;
   std::size_t max_faces = std::size_t{1} << 20;  ///< of one level, near the other; the search ends before it has more
-  /// Of faces with the model, or of two cages with each other, in all levels: there the search ends. Where surfaces
-  /// coincide or are parallel over an area, all faces stay near.
+  /// The most comparisons, in all levels, of faces with the model or of the faces of two cages with each other: the
+  /// search ends there. Where surfaces coincide or are parallel over an area, all faces stay near.
   std::size_t max_comparisons = std::size_t{1} << 20;
-  Progress progress{};  ///< is told how many of them there were
+  Progress progress{};  ///< is called with how many of them there were
 };
 
 /// The distance of a limit surface from a model or another limit surface.
@@ -164,8 +166,8 @@ struct LimitDistance {
   /// Proved: the distance of the limit surface, not of a mesh, lies in [lower, upper].
   double lower = 0;
   double upper = 0;
-  /// On the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on the model or the mesh
-  /// in place of the other. Without meaning where one lies within the other as a solid.
+  /// The nearest points, on the mesh in place of the limit surface, which is within `distance_to_limit` of it, and on
+  /// the model or the mesh in place of the other. They mean nothing where one lies within the other as a solid.
   Vec3 on_mesh{};
   Vec3 on_model{};
   double distance_to_limit = 0;

@@ -49,7 +49,7 @@ struct CrowdRun {
   std::size_t begin = 0;  ///< in all frames together
   std::size_t end = 0;
   double bytes_per_body = 0;
-  std::string reason;  ///< of `automatic`
+  std::string reason;  ///< why `automatic` chose as it did
 
   [[nodiscard]] std::size_t pairs() const { return frames.pairs.back().count; }  ///< in the last frame
 };
@@ -77,7 +77,7 @@ struct CrowdWorldQuestion {
 
 struct CrowdWorldReport {
   CrowdWorldQuestion question;
-  CrowdFrames frames;       ///< of each step its time, and its pairs in contact by the bodies' indices
+  CrowdFrames frames;       ///< the time of each step, and its pairs in contact by the bodies' indices
   std::size_t begin = 0;    ///< in all steps together
   std::size_t end = 0;      ///< the same
   BroadPhaseMethod used{};  ///< in the last step; where the method is `automatic`, what it chose by times

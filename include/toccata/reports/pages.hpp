@@ -27,16 +27,16 @@ enum class UpAxis { y, z };
 struct ViewOptions {
   std::string title = "Toccata";
   UpAxis up = UpAxis::z;
-  /// Of every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, of the tree
-  /// that queries use.
+  /// Draws for every mesh the levels of a binary hierarchy of these volumes, down to 1,024 of them; for `wide`, those
+  /// of the tree that queries use.
   std::optional<CostVolume> hierarchy{};
-  /// Of every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down to
-  /// 4,096 of them, and all as they are.
+  /// Draws for every mesh the cells of a partition of this kind over its triangles, with the counts of each depth: down
+  /// to 4,096 of them, and all as they are.
   std::optional<PartitionKind> partition{};
-  /// Of every object, which have to be convex polytopes, the Voronoi regions of its faces, edges and vertices.
+  /// Draws for every object, which has to be a convex polytope, the Voronoi regions of its faces, edges and vertices.
   bool voronoi = false;
-  /// Of every pair of objects, which have to be convex polytopes, the features that `distance_by_voronoi_walk` visits
-  /// from a vertex of each on, one after the other. At most 32 pairs.
+  /// Draws for every pair of objects, which have to be convex polytopes, the features that `distance_by_voronoi_walk`
+  /// visits from a vertex of each on, one after the other. At most 32 pairs.
   bool voronoi_walk = false;
 };
 
@@ -78,7 +78,7 @@ class CrowdRecording {
   /// The boxes, pairs and cells of the last update. Throws Error when boxes have come, gone or moved since, and when
   /// this frame alone is more than a page may hold.
   void add(const BroadPhase& phase);
-  /// With these cells in place of those of the method.
+  /// The same with these cells in place of those of the method.
   void add(const BroadPhase& phase, BroadPhaseCells space);
 
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }  ///< those that are kept
@@ -130,7 +130,7 @@ class WorldRecording {
     Index a = 0, b = 0;  ///< of `objects`
     Change change = Change::begin;
     bool in_contact = false;
-    Vec3 middle_a, middle_b;  ///< of their boxes; not finite for half-spaces
+    Vec3 middle_a, middle_b;  ///< the middles of their boxes; not finite for half-spaces
     std::shared_ptr<const PairDetails> details{};
   };
   /// Where a body stands on another one, or met it.
@@ -202,27 +202,27 @@ class WorldRecording {
 [[nodiscard]] WorldRecording record_walk(std::span<const SceneInstance> models, const WalkReport& report);
 
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
-/// each frame as they begin, persist and end, with contact points and distances where the World tells
-/// these, and a list of them. Places are rounded for display to floats and turns to 1/32767; poses at first, depths and
-/// distances are exact in its text. Of `options` it takes `title` and `up`. Throws Error when nothing is recorded, when
-/// a body reaches beyond the doubles, and naming a body whose pose has changed by more than a turn and a move.
+/// each frame as they begin, persist and end, with contact points and distances where the World reports these, and a
+/// list of them. Places are rounded for display to floats and turns to 1/32767; poses at first, depths and distances
+/// are exact in its text. Of `options` it takes `title` and `up`. Throws Error when nothing is recorded, when a body
+/// reaches beyond the doubles, and naming a body whose pose has changed by more than a turn and a move.
 [[nodiscard]] std::string world_page(const WorldRecording& recording, const ViewOptions& options = {});
 
 /// The same as a page shows (view_page), as a GLB file for Blender and other programs (docs/reference/glb-file.md):
-/// objects under their names, and where the answer tells it, for each pair the faces that meet, the curves in which
-/// they do, depth and distance, or ways of rays, nearest points, faces in a region, self-contacts; levels of a
-/// hierarchy, cells of a partition, Voronoi regions and walks through them; a crowd as recording_glb does. Metres, Y
-/// up: the root node holds the change from the scene's unit (one that is not known counts as a metre) and from
-/// `options.up`. Vertices are floats, counted from a place near them, and nodes are doubles: points are off by at most
-/// 2⁻²⁰ of the size of their mesh or, where they are shown of pairs, of their pair. The same bytes on every machine.
-/// Throws Error as view_page does, when the file would have 4 GiB, and for poses that shear what they move.
+/// objects under their names, and where the answer has it, for each pair the faces that meet, the curves in which they
+/// do, depth and distance, or ways of rays, nearest points, faces in a region, self-contacts; levels of a hierarchy,
+/// cells of a partition, Voronoi regions and walks through them; a crowd as recording_glb does. Metres, Y up: the root
+/// node holds the change from the scene's unit (one that is not known counts as a metre) and from `options.up`.
+/// Vertices are floats, counted from a place near them, and nodes are doubles: points are off by at most 2⁻²⁰ of the
+/// size of their mesh or, where they are shown of pairs, of their pair. The same bytes on every machine. Throws Error
+/// as view_page does, when the file would have 4 GiB, and for poses that shear what they move.
 [[nodiscard]] std::string scene_glb(const Scene& scene, std::span<const SceneInstance> models,
                                     const SceneAnswer& answer, const ViewOptions& options = {});
 
 /// The same as crowd_page and world_page show, as an animation: a frame of 24 a second for each that is recorded. The
 /// boxes or bodies under "objects", each moving; what was found in a frame hangs under a node "frame 0" or "step 0" …
-/// that is seen in that frame alone: under "pairs" segments between the middles of pairs, of bodies those begun, kept
-/// and ended, contact points and distances; under "cells" the edges of the method's cells. Of `options` it takes
+/// that is visible in that frame alone: under "pairs" segments between the middles of pairs, of bodies those begun,
+/// kept and ended, contact points and distances; under "cells" the edges of the method's cells. Of `options` it takes
 /// `title` and `up`. Throws Error when nothing is recorded, for more than 20,000 boxes or bodies, of which programs
 /// make an object each, and as crowd_page and world_page do.
 [[nodiscard]] std::string recording_glb(const CrowdRecording& recording, const ViewOptions& options = {});

@@ -17,7 +17,7 @@ struct PlotSeries {
 struct BarPlot {
   std::string title;
   std::string subtitle{};
-  std::string quantity;  ///< what the axis tells and in which unit: "time of a query in µs"
+  std::string quantity;  ///< what the axis measures and in which unit: "time of a query in µs"
   std::vector<std::string> rows;
   std::vector<PlotSeries> series;
   std::vector<std::string> remarks{};  ///< behind each row; or none

@@ -46,7 +46,7 @@ struct ReportedFacePair {
   std::vector<ReportedIntersection> intersections;
 };
 
-/// A pair that an earlier report tells.
+/// A pair that an earlier report lists.
 struct FormerPair {
   std::string a, b;  ///< names of the objects
   RelationKind kind = RelationKind::apart;
@@ -74,8 +74,9 @@ struct ReportedPair {
   ToleranceVerdict tolerance = ToleranceVerdict::none;
   std::optional<OverlapVolume> volume{};
   std::optional<Vec3> common_point{};
-  Aabb place{};  ///< around where they meet or are nearest, as far as the answer tells; else around what both may hold
-  /// Of the open mesh about the other, which is inside by it: where ReportOptions::by_winding says so, and nothing else
+  Aabb place{};  ///< around where they meet or are nearest, as far as the answer says; else around what both may hold
+  /// The winding number of the open mesh around the other object: filled where it alone, by ReportOptions::by_winding,
+  /// says that this one is inside.
   std::optional<WindingNumber> winding{};
 };
 
@@ -88,7 +89,7 @@ enum class Touching { count, ignore };
 /// A pair that merely touches is no contact when touching is ignored, unless the faces cannot tell the sides apart.
 [[nodiscard]] bool counts_as_contact(const Relation& relation, Touching touching);
 
-/// Two sets of objects, told by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
+/// Two sets of objects, given by patterns of names (`matches_pattern`). Two objects are a pair of the rule when one is
 /// in each, either way round.
 struct NameRule {
   std::vector<std::string> a;
@@ -105,9 +106,9 @@ struct ToleranceRule {
 struct NameRules {
   std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
   std::vector<NameRule> ignored{};  ///< no pair of these
-  /// Instead of the tolerance of all pairs. Of several rules about a pair the last counts.
+  /// Instead of the tolerance of all pairs. Where several rules are about a pair, the last counts.
   std::vector<ToleranceRule> tolerances{};
-  /// They leave no pair out.
+  /// Whether the rules leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
 };
 
@@ -115,7 +116,7 @@ struct NameRules {
 /// character of UTF-8, and `\` makes the next one mean itself. Capital letters are others than small ones.
 [[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
 
-/// What an earlier report of `check` told, for comparison.
+/// What an earlier report of `check` said, for comparison.
 struct Baseline {
   std::string file;  ///< for people
   std::vector<FormerPair> pairs;
@@ -139,14 +140,14 @@ enum class Since { added, known, graver };
 
 /// The order in which pairs are reported.
 enum class PairOrder {
-  objects,  ///< of their objects in the scene
+  objects,  ///< the order of their objects in the scene
   severity  ///< overlaps, the deepest first; then what touches; then what is near, the nearest first
 };
 
 /// Which clashes belong together.
 enum class ClashGrouping {
   none,
-  part,   ///< of one object: that which has most, then of what is left that which has most, …
+  part,   ///< pairs of one object: the one that has most, then the one that has most of what is left, …
   region  ///< in places next to each other: around which boxes, each grown by its longest edge, overlap, and so on
 };
 
@@ -170,8 +171,8 @@ struct CheckReport {
   std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
   std::optional<std::string> baseline{};  ///< the file, where there is one
   std::vector<GonePair> gone{};           ///< of the baseline, in its order
-  /// Of the candidates those that were not looked at, as the check was stopped before: else 0. What is told is right
-  /// all the same, and not all.
+  /// The number of candidates that were not looked at because the check was stopped before; else 0. What is reported is
+  /// right all the same, but not complete.
   std::size_t unfinished = 0;
   bool has_volume = false;
   std::optional<double> tolerance{};  ///< what was asked for all pairs, where a tolerance was; 0 with rules alone
@@ -268,8 +269,8 @@ struct SelfReport {
 /// How many of the objects intersect themselves.
 [[nodiscard]] std::size_t self_intersecting_count(const SelfReport& report);
 
-/// Into which convex parts the closed mesh of a scene is cut: `decompose`. Of the mesh as it is posed, in the
-/// world.
+/// The question into which convex parts the closed mesh of a scene is cut: `decompose`. The mesh is taken as it is
+/// posed, in the world.
 struct DecomposeQuestion {
   static const io::QuestionKind kind;  ///< scene_question.hpp
   std::size_t max_parts = 32;          ///< as DecompositionOptions says
@@ -313,7 +314,7 @@ struct RebalanceReport {
   HierarchyReport cured;
   HierarchyReport rebuilt;
   std::size_t named_nodes = 0;  ///< inner nodes as it is that stand for a node of the scene
-  std::size_t kept_nodes = 0;   ///< of these, those that the cure keeps
+  std::size_t kept_nodes = 0;   ///< those of the named nodes that the cure keeps
   std::size_t unbounded = 0;    ///< objects that have no end and so no place in it
 };
 
@@ -329,16 +330,17 @@ struct InspectedObject {
   /// has no end, and where the pose is refused.
   std::optional<Aabb> world_box;
   std::string refusal;  ///< why no question can be asked about it where it is; else empty
-  /// What `measure_volumes` tells of its mesh, where that is asked for; `inspect` leaves it empty.
+  /// What `measure_volumes` finds for its mesh, where that is asked for; `inspect` leaves it empty.
   std::vector<VolumeCost> volumes{};
-  std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` tells of its triangles, the same way
-  std::vector<MeshFault> faults{};                  ///< what `mesh_faults` tells of its mesh, the same way
-  std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; of meshes, told by `ask`
-  std::size_t boundaries = 0;                       ///< of an open mesh: holes and rims (`boundary_count`), by `ask`
-  std::optional<double> closing_gap{};              ///< of an open mesh what `closing_gap` tells, in its own units
+  std::vector<PartitionCost> partitions{};          ///< what `measure_partitions` finds for its triangles, likewise
+  std::vector<MeshFault> faults{};                  ///< what `mesh_faults` finds in its mesh, likewise
+  std::optional<std::size_t> self_intersections{};  ///< pairs of its triangles that meet; for meshes, filled by `ask`
+  std::size_t boundaries = 0;                       ///< holes and rims of an open mesh (`boundary_count`), filled by
+                                                    ///< `ask`
+  std::optional<double> closing_gap{};              ///< what `closing_gap` finds for an open mesh, in its own units
 };
 
-/// Everything that `inspect` tells about the object.
+/// Everything that `inspect` reports about the object.
 [[nodiscard]] InspectedObject inspect(const SceneObject& object);
 
 /// "boundary_edges", "non_manifold_edges", "flipped_edges", "degenerate_triangles", "duplicate_triangles",
@@ -369,7 +371,7 @@ struct MinkowskiReport {
 /// The sum as an object of that name.
 [[nodiscard]] SceneObject sum_object(const MinkowskiReport& report);
 
-/// A point of the surface of a scene's object, which is told by its place in the scene.
+/// A point of the surface of a scene's object, which is named by its place in the scene.
 struct ReportedSurfacePoint {
   SurfacePoint nearest;
   Index object = 0;
@@ -383,7 +385,7 @@ struct ReportedSurfacePoint {
 struct ReportedPoint {
   Vec3 point;
   std::vector<ReportedSurfacePoint> nearest;
-  std::optional<SceneSignedDistance> in_scene{};  ///< of all objects together, when asked for
+  std::optional<SceneSignedDistance> in_scene{};  ///< that of all objects together, when asked for
 };
 
 /// What `check --poses` found: an entry per query in each list.
@@ -395,7 +397,8 @@ struct PosesReport {
   std::vector<DepthEnd> depth_ends;                 ///< why their brackets are no narrower
   std::vector<std::vector<ContactRegion>> regions;  ///< none but of two meshes, with the penetrations
   Touching touching = Touching::count;
-  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< of the first queries, by `with_face_pairs`: for pages
+  std::vector<std::vector<ReportedFacePair>> face_pairs{};  ///< those of the first queries, by `with_face_pairs`: for
+                                                            ///< pages
 };
 
 /// The same with the faces that meet at each pose, which reports only count: in the order of the queries, for so many

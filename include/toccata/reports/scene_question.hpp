@@ -62,7 +62,7 @@ struct DistancePosesQuestion {
   std::vector<PairQuery> queries;
 };
 
-/// What rays meet first: `ray`. Of each ray only its origin and its motion count.
+/// What rays meet first: `ray`. Only the origin and the motion of each ray count.
 struct RayQuestion {
   static const io::QuestionKind kind;
   std::vector<RayQuery> rays;
@@ -139,7 +139,7 @@ struct SubdivideQuestion {
   /// The tolerance in world units; 0: a thousandth of the diagonal of the cage's box, of two objects a millionth.
   double within = 0;
   int levels = 0;                                     ///< as in RefinementOptions
-  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; of two LimitQuery::max_faces
+  std::size_t max_triangles = std::size_t{1} << 22;   ///< likewise; for two objects LimitQuery::max_faces
   CageFeatures features{};                            ///< of the first object, by the vertices of its mesh
   std::optional<double> crease_angle = std::nullopt;  ///< edges that turn by more are creases; in degrees
   bool both = false;                                  ///< the second object is a cage, too, of the same scheme
@@ -158,8 +158,8 @@ struct SubdivideReport {
   double within = 0;                     ///< the tolerance that was asked for, also where the question has none
   std::size_t faces = 0;                 ///< of the cage
   bool closed = false;                   ///< the cage
-  std::optional<SubdividedMesh> mesh{};  ///< of one object
-  std::optional<LimitDistance> gap{};    ///< of two
+  std::optional<SubdividedMesh> mesh{};  ///< for one object
+  std::optional<LimitDistance> gap{};    ///< for two objects
 };
 
 /// The mesh in the world, as an object of its own; there must be one.
@@ -256,7 +256,7 @@ using ReportVariant = std::variant<typename Listed::Report...>;
 using SceneQuestion = SceneQuestions::put_into<QuestionVariant>;
 using SceneAnswer = SceneQuestions::put_into<ReportVariant>;
 
-/// It makes what it asks about, from a seed, and no scene has a part in it.
+/// Whether the question makes what it asks about, from a seed, so that no scene has a part in it.
 [[nodiscard]] bool is_of_crowd(const SceneQuestion& question);
 
 struct AskOptions {
@@ -265,8 +265,8 @@ struct AskOptions {
   /// Asked before each pair that `check` looks at, from any thread: once it is true no pair is begun any more, and the
   /// report says how many are left (CheckReport::unfinished).
   std::function<bool()> stop{};
-  /// Told each pair that `check` will report as soon as it is found, as a report of that pair alone: in the order in
-  /// which they are found, from any thread, never from two at once.
+  /// Is called with each pair that `check` will report as soon as it is found, as a report of that pair alone: in the
+  /// order in which they are found, from any thread, never from two at once.
   std::function<void(const CheckReport&)> found{};
 };
 
@@ -275,7 +275,7 @@ struct AskOptions {
 
 /// The answer, of the alternative of the question. Throws Error as the question of the query room does, naming objects;
 /// for poses of other than two objects, a sum of other than two, and parts of other than one; and for a distance that
-/// no double tells.
+/// no double holds.
 [[nodiscard]] SceneAnswer ask(std::span<const SceneInstance> models, const SceneQuestion& question,
                               const AskOptions& options = {});
 
@@ -347,8 +347,8 @@ struct SavedReport {
 /// Throws Error naming the file and the place in it; also for a report that does not say what was asked.
 [[nodiscard]] SavedReport read_report(const std::filesystem::path& path);
 
-/// What a report of `check` told, as the baseline of another check: `CheckQuestion::baseline`. Throws Error naming the
-/// file when it is no such report, or tells of objects of which none is in the scene: it is about another model.
+/// What a report of `check` said, as the baseline of another check: `CheckQuestion::baseline`. Throws Error naming the
+/// file when it is no such report, or is about objects of which none is in the scene: it is about another model.
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace toccata

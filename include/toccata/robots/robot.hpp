@@ -120,7 +120,7 @@ class Robot {
   [[nodiscard]] std::span<const RobotLink> links() const;
   [[nodiscard]] std::span<const RobotJoint> joints() const;
   [[nodiscard]] Index root() const;  ///< the link that hangs on none
-  /// Of what configurations are made, in the order of the joints; those that mimic have none.
+  /// The numbers that a configuration is made of, in the order of the joints; joints that mimic others have none.
   [[nodiscard]] std::span<const RobotPosition> positions() const;
   /// All shapes of all links, in their order.
   [[nodiscard]] std::span<const Body> bodies() const;
@@ -149,7 +149,7 @@ class Robot {
   /// The bodies where a configuration puts them, with names: what a scene of them is.
   [[nodiscard]] std::vector<SceneInstance> posed(std::span<const double> configuration) const;
 
-  /// With one link more, fixed to another. Other links and positions keep their numbers. Throws Error as the
+  /// The robot with one link more, fixed to another. Other links and positions keep their numbers. Throws Error as the
   /// constructor does, and for links to be touched that there are not.
   [[nodiscard]] Robot with_attached(const AttachedObject& object, int threads = own_thread) const;
 

@@ -30,7 +30,7 @@ struct RobotFile {
 [[nodiscard]] RobotFile read_urdf(const std::string& path, const UrdfOptions& options = {});
 
 /// Reads which pairs of links an SRDF file disables (disable_collisions, disable_default_collisions,
-/// enable_collisions), with the reasons that it tells. Throws Error naming the file and the line, also for links that
+/// enable_collisions), with the reasons that it gives. Throws Error naming the file and the line, also for links that
 /// the robot has not.
 [[nodiscard]] std::vector<AllowedPair> read_srdf(const std::string& path, const Robot& robot);
 

@@ -40,8 +40,8 @@ struct RobotDistance {
 };
 
 struct EdgeOptions {
-  /// How narrow the first contact is told, as a part of the way; at least 2⁻⁴⁰. What comes so near for so short a time
-  /// that this does not tell counts as a contact.
+  /// How narrow the interval of the first contact is, as a part of the way; at least 2⁻⁴⁰. What comes so near for so
+  /// short a time that this does not decide counts as a contact.
   double precision = 0x1p-20;
   int threads = own_thread;
   Progress progress{};
@@ -51,14 +51,14 @@ struct EdgeOptions {
 struct RobotEdge {
   bool is_free = true;  ///< proved for every moment, and not for some of them
   /// The first contact: none before `lower`, which is proved. exact: at the configuration of `upper` they meet;
-  /// undecided: within [lower, upper] they come nearer than can be told, and whether they meet there is not known.
+  /// undecided: within [lower, upper] they come nearer than can be resolved, and whether they meet there is not known.
   double lower = 1;
   double upper = 1;
   Status status = Status::exact;
   RobotContact pair{};  ///< the least of those that meet then
 };
 
-/// How many contacts are told.
+/// How many contacts are reported.
 enum class ContactsTold : std::uint8_t {
   first,  ///< the least one
   all,

@@ -9,8 +9,8 @@ namespace toccata {
 
 /// What `close_mesh` has done, counted.
 struct MeshRepair {
-  std::size_t moved_vertices = 0;       ///< of the boundary, onto another one within the gap
-  std::size_t collapsed_triangles = 0;  ///< of which two corners became one; they are gone
+  std::size_t moved_vertices = 0;       ///< vertices of the boundary, moved onto another one within the gap
+  std::size_t collapsed_triangles = 0;  ///< triangles two corners of which became one; they are gone
   std::size_t filled_holes = 0;
   std::size_t added_triangles = 0;  ///< that fill them; each is a face of its own, behind the others
   std::size_t open_holes = 0;       ///< that are wider, or whose boundary is no simple loop
@@ -37,7 +37,8 @@ struct RepairedMesh {
 /// that is closed.
 [[nodiscard]] std::optional<double> closing_gap(const TriangleMesh& mesh);
 
-/// In how many loops or chains the boundary of the mesh hangs together: its holes, and the rims of what is open.
+/// The number of loops or chains in which the boundary of the mesh hangs together: its holes, and the rims of what is
+/// open.
 [[nodiscard]] std::size_t boundary_count(const TriangleMesh& mesh);
 
 }  // namespace toccata

@@ -17,12 +17,12 @@ namespace toccata {
 struct HullTopology {
   std::span<const Index>
       face_start;                 ///< one more than faces: face f has the half-edges [face_start[f], face_start[f + 1])
-  std::span<const Index> origin;  ///< of each half-edge, the vertex it starts at; the next of its face tells its end
-  std::span<const Index> twin;    ///< of each half-edge, the same edge in the other face, the other way round
-  std::span<const Index> face;    ///< of each half-edge, the face it belongs to
-  std::span<const Index> leaving;  ///< of each vertex, a half-edge that starts at it
-  /// Of a hull of 512 vertices or more: for each cell of a grid of directions a vertex that is far along them, where a
-  /// walk to the farthest begins. Else empty.
+  std::span<const Index> origin;  ///< for each half-edge, its first vertex; the next of its face starts at its last
+  std::span<const Index> twin;    ///< for each half-edge, the same edge in the other face, the other way round
+  std::span<const Index> face;    ///< for each half-edge, the face it belongs to
+  std::span<const Index> leaving;  ///< for each vertex, a half-edge that starts at it
+  /// For each cell of a grid of directions a vertex that is far along them, where a walk to the farthest begins. Empty
+  /// in a hull of fewer than 512 vertices.
   std::span<const Index> guide{};
 
   [[nodiscard]] Index face_count() const { return face_start.empty() ? 0 : static_cast<Index>(face_start.size() - 1); }
@@ -56,7 +56,7 @@ class ConvexHull {
   explicit ConvexHull(std::initializer_list<Vec3> points);
 
   [[nodiscard]] Index vertex_count() const;
-  /// In the shape's own frame. Vertices keep the order of the points; of equal points the first counts.
+  /// A vertex in the shape's own frame. Vertices keep the order of the points; of equal points the first counts.
   [[nodiscard]] Vec3 vertex(Index i) const;
   /// The number that vertex i had among the points given.
   [[nodiscard]] Index source_of(Index vertex) const;
@@ -110,7 +110,7 @@ struct View {
 
 /// The solid that a camera sees. Its corners are rounded, by a few units in the last place of the distance from the eye
 /// (over the sine of the angle between direction and up) and of the eye's coordinates. What it overlaps is in view;
-/// `overlapping` of SceneIndex and WorldQueries tells of it exactly. Throws Error that names a number out of range.
+/// `overlapping` of SceneIndex and WorldQueries finds it exactly. Throws Error that names a number out of range.
 [[nodiscard]] ConvexHull view_frustum(const View& view);
 
 }  // namespace toccata

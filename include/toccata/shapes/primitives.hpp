@@ -22,7 +22,7 @@ struct ShapeParameter {
 
   const char* name;
   Value (S::*value)() const;
-  WhenLeftOut when_left_out;  ///< of a file
+  WhenLeftOut when_left_out;  ///< what becomes of it where a file leaves it out
 };
 
 /// A shape that is made of numbers and vectors alone says what it is, and files and messages go by that:
@@ -84,7 +84,7 @@ struct Triangle {
   friend constexpr bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-/// It is neither a segment nor a point; exact.
+/// Whether it is neither a segment nor a point; exact.
 [[nodiscard]] bool has_area(const Triangle& t);
 
 /// A solid ball: all points within `radius` of the centre, which is in the shape's own frame. Its pose may not deform

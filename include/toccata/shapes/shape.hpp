@@ -69,7 +69,7 @@ struct CompoundPart {
   Pose pose{};
 };
 
-/// In the order of Shape's alternatives. Quadrics have no names here: theirs are `shape_kind<Cone>`.
+/// The kinds in the order of Shape's alternatives. Quadrics have no names here: theirs are `shape_kind<Cone>`.
 enum class ShapeKind : std::uint8_t {
   point,
   segment,

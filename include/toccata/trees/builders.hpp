@@ -41,7 +41,8 @@ enum class BvhMethod {
   equal_regions,
 };
 
-/// From the top down by a stack of tasks or by functions that call themselves: the same tree.
+/// Whether a tree is built from the top down by a stack of tasks or by functions that call themselves: the tree is the
+/// same.
 enum class BvhDriver { iterative, recursive };
 
 struct BvhOptions {
@@ -62,7 +63,7 @@ struct BvhShape {
   std::vector<Index> items;
 };
 
-/// With up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
+/// A tree with up to `arity` children a node, which is 2 to 8. The same triangles give the same shape. Throws Error for
 /// another arity, and for coordinates that are not finite or above 2^1000.
 [[nodiscard]] BvhShape build_bvh_shape(std::span<const Triangle> triangles, int arity, const BvhOptions& options);
 
@@ -144,7 +145,7 @@ struct BuildOptions {
   Index leaf_size = 4;  ///< at most this many items in a leaf; at least 1
 };
 
-/// A hierarchy over items that are told by their boxes (item i has boxes[i]; none empty). Splits from the top down
+/// A hierarchy over items that are given by their boxes (item i has boxes[i]; none empty). Splits from the top down
 /// where the surface-area heuristic is least among 16 slabs along the longest axis of the centres (J. Goldsmith, J.
 /// Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast construction of
 /// SAH-based bounding volume hierarchies", 2007), and in halves where centres coincide. The same boxes give the same

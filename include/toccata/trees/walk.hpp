@@ -14,7 +14,8 @@
 
 namespace toccata {
 
-/// An item of the first tree and one of the second. Of one tree with itself: two different items, first < second.
+/// An item of the first tree and one of the second. Where a tree is walked with itself, these are two different items,
+/// first < second.
 struct ItemPair {
   Index first;
   Index second;
@@ -122,7 +123,7 @@ bool splits_a(const BvhNode<VolumeA>& a, const BvhNode<VolumeB>& b, const Q& que
 
 enum class Order {
   as_found,     ///< (item of the first tree, item of the second)
-  least_first,  ///< of one tree with itself: the smaller item number first
+  least_first,  ///< where a tree is walked with itself: the smaller item number first
 };
 
 /// One walk over pairs of nodes. The stack grows as needed; nothing is dropped.

@@ -54,7 +54,7 @@ struct WideBuildOptions {
   static constexpr std::size_t greatest_item_count = std::size_t{1} << 28;
 };
 
-/// A tree over items that are told by their boxes (item i has boxes[i]; none empty, all finite). From the top down by
+/// A tree over items that are given by their boxes (item i has boxes[i]; none empty, all finite). From the top down by
 /// the surface-area heuristic (I. Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007). The
 /// same boxes give the same tree. Throws Error for more than `most_items`.
 [[nodiscard]] WideBvh build_wide_bvh(std::span<const Aabb> boxes, const WideBuildOptions& options = {});
@@ -63,7 +63,7 @@ struct WideBuildOptions {
 /// twice as many, and building anew pays.
 struct Refit {
   std::size_t volumes_updated = 0;
-  double growth = 1;  ///< of half_area, as `built_size` tells it, relative to the tree as built; +∞ where it was 0
+  double growth = 1;  ///< half_area, as in `built_size`, relative to that of the tree as built; +∞ where it was 0
   [[nodiscard]] bool should_rebuild() const { return !(growth <= 2); }
 };
 

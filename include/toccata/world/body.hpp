@@ -40,7 +40,8 @@ enum class BodyType : std::uint8_t {
   dynamic_body,    ///< reacts to what it meets
 };
 
-/// A shape at its place and what is to be told of it. The model and what it refers to are shared, so a body is small.
+/// A shape at its place and what a World is to know of it. The model and what it refers to are shared, so a body is
+/// small.
 struct Body {
   Model model;
   Pose pose{};

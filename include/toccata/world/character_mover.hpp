@@ -26,7 +26,7 @@ template <class Id>
 struct MoverContact {
   Id object{};
   Index element = 0;  ///< as in Model: the triangle of a mesh
-  Vec3 point{};       ///< of the object, where it is nearest to the shape
+  Vec3 point{};       ///< the object's point that is nearest to the shape
   Vec3 normal{};      ///< unit, from there to the shape
   friend bool operator==(const MoverContact&, const MoverContact&) = default;
 };
@@ -59,7 +59,7 @@ struct MoverStep {
   bool tight = false;                      ///< it is still nearer than that to something, as in a way too narrow
   bool stuck = false;                      ///< it still overlaps something: there was no way out
   bool crushed = false;                    ///< something that moved its way could not push it aside
-  bool cut_short = false;                  ///< it may not have gone as far as it can; the contacts tell what stopped it
+  bool cut_short = false;                  ///< it may not have gone as far as it can; the contacts show what stopped it
   friend bool operator==(const MoverStep&, const MoverStep&) = default;
 };
 

@@ -24,13 +24,13 @@
 
 namespace toccata {
 
-/// What is told of every pair, besides that it is one. Each costs what the question of that name costs.
+/// What is reported of every pair, besides that it is one. Each costs what the question of that name costs.
 struct WorldOptions {
   bool relation = false;
   bool distance = false;
-  bool contacts = false;     ///< of pairs in contact: their elements that meet
-  bool manifold = false;     ///< of pairs in contact: where they touch, as points and normals (manifolds.hpp)
-  bool penetration = false;  ///< of two solids in contact, where it is defined
+  bool contacts = false;     ///< for pairs in contact: their elements that meet
+  bool manifold = false;     ///< for pairs in contact: where they touch, as points and normals (manifolds.hpp)
+  bool penetration = false;  ///< for two solids in contact, where it is defined
   /// Whether two kinematic bodies, and a kinematic and a static one, make pairs.
   bool kinematic_pairs = true;
   /// Pairs that cannot meet for some steps are not looked at in these
@@ -45,14 +45,15 @@ struct WorldOptions {
 
 /// What was asked for in WorldOptions, of one pair; each as the question of that name answers it for (a, b).
 struct PairDetails {
-  /// Of two bodies that have met on the way, one of which went along a motion (World::move_along): as `sweep` tells it
-  /// of a and b, where the other body stands or goes along a motion too.
+  /// The first contact of two bodies that met on the way, one of which went along a motion (World::move_along): as
+  /// `sweep` answers it for a and b, where the other body stands or goes along a motion too.
   std::optional<ShapeHit> first_contact{};
   std::optional<Relation> relation{};
   std::optional<Distance> distance{};
   std::vector<Contact> contacts{};
-  std::optional<Manifold> manifold{};  ///< of two convex shapes or one and a half-space
-  /// Of every pair in contact with WorldOptions::manifold, whatever the shapes: what `manifolds` answers.
+  std::optional<Manifold> manifold{};  ///< for two convex shapes or one and a half-space
+  /// What `manifolds` answers for the pair, whatever the shapes: filled for every pair in contact with
+  /// WorldOptions::manifold.
   std::vector<ModelManifold> manifolds{};
   std::optional<Penetration> penetration{};
 
@@ -63,7 +64,7 @@ struct PairDetails {
 struct PairReport {
   BodyId a;  ///< a.index < b.index
   BodyId b;
-  /// They have a point in common; else they are only near, or have met on the way and are apart again.
+  /// Whether they have a point in common; else they are only near, or have met on the way and are apart again.
   bool in_contact = false;
   std::shared_ptr<const PairDetails> details{};  ///< none where nothing was asked for and nothing met on the way
 };
@@ -71,12 +72,12 @@ struct PairReport {
 /// What a step found. Each list is ascending by (a, b).
 struct WorldStep {
   std::vector<PairReport> begin;    ///< not there at the step before
-  std::vector<PairReport> persist;  ///< there at both; told as it is now
-  std::vector<PairReport> end;      ///< there at the step before only; told as it was then. Bodies removed since are
-                                    ///< named by the ids that they had
+  std::vector<PairReport> persist;  ///< there at both; reported as it is now
+  std::vector<PairReport> end;      ///< there at the step before only; reported as it was then. Bodies removed since
+                                    ///< are named by the ids that they had
   std::size_t candidates = 0;       ///< pairs to be decided: boxes overlap, and no rule leaves them out; with
                                     ///< `space_time` none that was known to be apart until later
-  std::size_t asked = 0;            ///< of them, those that could not be taken over from the step before
+  std::size_t asked = 0;            ///< those candidates that could not be taken over from the step before
 };
 
 /// What is said about two bodies in particular, in either order.
@@ -117,7 +118,7 @@ class World {
   BodyId add(const Body& body);
   BodyId add(const Model& model, const Pose& pose, BodyType type = BodyType::dynamic_body);
 
-  /// With their rules. Throws Error naming an id that is of no body here, or given twice.
+  /// Removes the bodies with their rules. Throws Error naming an id that is of no body here, or given twice.
   void remove(std::span<const BodyId> ids);
   void remove(BodyId id);
 
@@ -127,7 +128,7 @@ class World {
   void move(BodyId id, const Pose& pose);
 
   /// Lets body ids[i] go along motions[i], from where that begins to where it ends, in the time of the next step. The
-  /// body is at its end now; but the step also finds every pair that meets on the way, if only for a moment, and tells
+  /// body is at its end now; but the step also finds every pair that meets on the way, if only for a moment, and says
   /// when first (PairDetails::first_contact): nothing tunnels. A body that is moved, replaced or removed before the
   /// step has gone nowhere. Throws Error as `move` does, and as RigidMotion::at; the step throws what `sweep` throws.
   void move_along(std::span<const BodyId> ids, std::span<const RigidMotion> motions);
@@ -170,7 +171,7 @@ class World {
   /// All of them, ascending.
   [[nodiscard]] std::vector<BodyId> bodies() const;
   [[nodiscard]] bool contains(BodyId id) const;
-  /// As it was given last. Throws Error naming the id when it is of no body here.
+  /// The body as it was given last. Throws Error naming the id when it is of no body here.
   [[nodiscard]] const Body& body(BodyId id) const;
   /// How near two bodies have to be to be a pair, by their margins and rules; none where the two are never compared.
   /// Throws Error like `body`, and for one body twice.
@@ -179,7 +180,7 @@ class World {
   /// `body`.
   [[nodiscard]] const Aabb& box(BodyId id) const;
 
-  /// By index: the boxes of all bodies where they are now. Empty where no body has that index.
+  /// The boxes of all bodies where they are now, by index. Empty where no body has that index.
   [[nodiscard]] std::span<const Aabb> boxes() const;
   /// The body that has this index now, if any.
   [[nodiscard]] std::optional<BodyId> body_at(Index index) const;

@@ -23,9 +23,11 @@ struct BodyAnswer : Answer {
 /// Which bodies are asked: all, if nothing is said.
 struct BodyFilter {
   std::uint64_t mask = ~std::uint64_t{0};  ///< those that are in one of these groups
-  /// Those whose own mask has one of these groups, as if the question were a body in them; 0: masks do not matter.
+  /// Asked are those whose own mask has one of these groups, as if the question were a body in them; 0: masks do not
+  /// matter.
   std::uint64_t group = 0;
-  /// Of them, those for which it says yes; none: all. The same answer each time, from many threads at once.
+  /// Those of them for which it says yes; all, if it is empty. It has to answer the same each time, from many threads
+  /// at once.
   std::function<bool(BodyId)> accepts{};
 };
 
@@ -91,8 +93,9 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
   /// Looks where the bodies are now: takes time as a pass over their boxes does.
   void update();
 
-  // Of pairs of bodies. Margins do not matter. They throw like the questions about two models, naming the bodies; and
-  // Error for a placed body that is none of the World, is named twice, or has a pose that it may not have.
+  // The questions below are about pairs of bodies. Margins do not matter. They throw like the questions about two
+  // models, naming the bodies; and Error for a placed body that is none of the World, is named twice, or has a pose
+  // that it may not have.
 
   /// The least pair (a, b) that has a point in common; none where no pair has. It ends with that pair: what comes after
   /// it is not asked about.

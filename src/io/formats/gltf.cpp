@@ -154,7 +154,7 @@ class SceneReader {
     return index_of(reference, nodes_.size(), "node");
   }
 
-  /// Of the scene that the file shows first; of all nodes, when it has no scenes.
+  /// The root nodes of the scene that the file shows first; those among all nodes, when it has no scenes.
   [[nodiscard]] std::vector<std::size_t> root_nodes() const {
     std::vector<std::size_t> roots;
     const std::vector<JsonValue> scenes = top_.elements("scenes");

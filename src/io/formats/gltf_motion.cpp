@@ -89,7 +89,7 @@ class AnimationReader {
     return nodes.size() > most ? names + ", …" : names;
   }
 
-  /// From its parent up.
+  /// The ancestors of a node, from its parent up.
   [[nodiscard]] std::vector<std::size_t> ancestors_of(std::size_t node) const {
     std::vector<std::optional<std::size_t>> parents(nodes_.size());
     for (std::size_t parent = 0; parent < nodes_.size(); ++parent)
@@ -210,7 +210,7 @@ class AnimationReader {
 
   static Quaternion quaternion_of(std::span<const double> q) { return {q[0], q[1], q[2], q[3]}; }
 
-  /// Of the keys of both, each once.
+  /// The times of the keys of both, each once.
   static std::vector<double> times_of(const std::vector<MotionKey>& shifts, const std::vector<MotionKey>& turns,
                                       const JsonValue& json) {
     std::set<double> times;

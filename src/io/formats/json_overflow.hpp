@@ -14,7 +14,7 @@ struct JsonOverflow {
   std::size_t byte = 0;
 };
 
-/// Of a text that is JSON but for such a number.
+/// Finds where a text that is JSON but for such a number has it.
 [[nodiscard]] JsonOverflow overflow_of(std::span<const char> text);
 
 }  // namespace toccata::io

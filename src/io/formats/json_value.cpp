@@ -59,7 +59,7 @@ std::size_t line_of_byte(std::span<const char> text, std::size_t byte) {
 }
 
 /// The byte at which more arrays and objects are open than `most_levels`, if any. What walks a document calls itself
-/// once a level, and the stack is finite. Of what is no JSON any answer will do.
+/// once a level, and the stack is finite. Any answer will do for what is no JSON.
 std::optional<std::size_t> byte_of_deepest(std::span<const char> text, std::size_t most_levels) {
   std::size_t levels = 0;
   bool in_text = false;

@@ -39,7 +39,7 @@ class ObjReader {
 
   [[nodiscard]] std::size_t largest_vertex() const { return largest_vertex_; }
 
-  /// Of each face that was read what it stands under: a number into `part_names`.
+  /// For each face that was read, what it stands under: a number into `part_names`.
   [[nodiscard]] const std::vector<Index>& part_of_face() const { return part_of_face_; }
   [[nodiscard]] const std::vector<std::string>& part_names() const { return part_names_; }
 
@@ -65,7 +65,7 @@ class ObjReader {
     cursor_.next_line();
   }
 
-  /// Of what is read now.
+  /// The number of the part to which the faces belong that are read now.
   Index part() {
     if (part_) return *part_;
     const bool has_both = !object_.empty() && !group_.empty() && object_ != group_;

@@ -101,7 +101,7 @@ class PlyBodyReader {
       fail_at_line(name_, element.line, {"the corners of faces are floats", "use an integer type"});
   }
 
-  /// As for triangles, so far as the file has room for them.
+  /// Reserves as for triangles, so far as the file has room for them.
   void reserve_faces(const PlyElement& element, const std::vector<PlyRole>& roles) {
     const auto list = std::ranges::find(roles, PlyRole::corners) - roles.begin();
     const PlyProperty& property = element.properties[static_cast<std::size_t>(list)];

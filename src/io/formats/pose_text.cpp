@@ -134,7 +134,7 @@ WrittenPose written_pose_of_numbers(const std::vector<std::string_view>& words, 
   return {pose_of_numbers(numbers, fail), {}};
 }
 
-/// Of a matrix of 4 × 4, row by row: R and t as they stand.
+/// The pose of a 4 × 4 matrix, row by row: R and t as they stand.
 Pose pose_of_matrix(std::span<const double> m, const FailPose& fail) {
   const bool is_last_row = m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1;
   const bool is_column_major = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;

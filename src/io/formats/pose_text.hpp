@@ -25,7 +25,7 @@ struct WrittenTurn {
   double degrees = 0;
 };
 
-/// By how many degrees one turns to become the other as they are written; none where that is not about one axis.
+/// The degrees by which one turns to become the other as they are written; none where that is not about one axis.
 [[nodiscard]] std::optional<double> degrees_between(const WrittenTurn& from, const WrittenTurn& to);
 
 struct WrittenPose {

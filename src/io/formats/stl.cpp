@@ -22,7 +22,7 @@ constexpr std::size_t stl_header_size = 84, facet_size = 50, normal_size = 12, f
 /// way to say so, and a mesh is then a third as large.
 class FacetMesh {
  public:
-  /// As closed meshes have them: half as many vertices as facets.
+  /// Expects as many vertices as closed meshes have: half as many as facets.
   explicit FacetMesh(std::size_t facets) : numbers_(facets / 2) {
     vertices_.reserve(facets / 2 + 2);
     triangles_.reserve(facets);

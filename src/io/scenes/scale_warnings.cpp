@@ -34,7 +34,7 @@ struct NamedMeshBox {
   Aabb box;
 };
 
-/// Of all meshes, in the world.
+/// The boxes of all meshes, in the world.
 std::vector<NamedMeshBox> mesh_boxes_of(const Scene& scene) {
   std::map<const TriangleMesh*, Aabb> boxes;
   std::vector<NamedMeshBox> named;

@@ -7,7 +7,7 @@
 namespace toccata {
 namespace {
 
-/// Of the planes around a cell so many are combined: those nearest to the leaf of the tree.
+/// So many of the planes around a cell are combined: those nearest to the leaf of the tree.
 constexpr std::size_t most_combined = 8;
 
 /// Planes that the shape is somewhere beyond: with the others alone it would be in the cell all the time.

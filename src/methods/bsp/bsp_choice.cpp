@@ -79,7 +79,8 @@ AxisPlane BspChoice::middle_across(int axis) {
   return {axis, *middle};
 }
 
-/// Of its first corner; exactly that of a vertex, so that what lies across an axis there is not cut beside it.
+/// The coordinate of the fragment's first corner; exactly that of a vertex, so that what lies across an axis there is
+/// not cut beside it.
 double BspChoice::coordinate(const PooledFragment& fragment, int axis) const {
   const BspCorner& corner = fragments_.corner(fragment, 0);
   if (is_edge(corner.on[0]) && is_edge(corner.on[1]))

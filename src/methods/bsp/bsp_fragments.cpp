@@ -48,7 +48,7 @@ SplitFragment BspFragments::split(const PooledFragment& fragment, BspPlane plane
   return {in_front, part(fragment, Sign::negative, plane), in_plane};
 }
 
-/// Of the corner after corner i. The last corner of a segment is followed by none, and has its own.
+/// The sign of the corner after corner i. The last corner of a segment is followed by none, and has its own.
 Sign BspFragments::next_sign(const PooledFragment& fragment, std::size_t i) const {
   return heights_[has_next(fragment, i) ? (i + 1) % fragment.count : i].sign;
 }
@@ -76,8 +76,8 @@ PooledFragment BspFragments::part(const PooledFragment& fragment, Sign side, Bsp
   return result;
 }
 
-/// Of a fragment that reaches out of the plane, a corner or an edge of it, or what lies between two points of its
-/// border.
+/// The part within the plane of a fragment that reaches out of it: a corner or an edge of the fragment, or what lies
+/// between two points of its border.
 PooledFragment BspFragments::within(const PooledFragment& fragment, BspPlane plane) {
   PooledFragment result{fragment.triangle, static_cast<Index>(pool_.size()), 0};
   BspLine line = cut_line(plane);

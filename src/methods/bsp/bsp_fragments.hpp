@@ -25,8 +25,8 @@ struct BspCorner {
   bool next_on_border = false;  ///< all of the edge to the next corner does
 };
 
-/// What planes have left of a triangle: a convex polygon, whose corners lie in a pool. Of what lies in a plane with
-/// which the triangle has less in common: a segment between two corners, or one corner.
+/// What planes have left of a triangle: a convex polygon, whose corners lie in a pool. What lies in a plane with which
+/// the triangle has less in common is a segment between two corners, or one corner.
 struct PooledFragment {
   Index triangle = 0;
   Index first = 0;

@@ -14,8 +14,9 @@
 
 namespace toccata {
 
-/// A plane that cuts space, by what it was made from. Of T triangles: below T that of a triangle, below 10 T one
-/// through an edge, nine of each triangle, and from there on one across an axis, in the order in which they were made.
+/// A plane that cuts space, by what it was made from. With T triangles, a number below T is the plane of a triangle,
+/// one below 10 T a plane through an edge, nine for each triangle, and from there on one across an axis, in the order
+/// in which they were made.
 using BspPlane = Index;
 
 /// The plane through the edge of a triangle, from that corner to the next, that is parallel to `axis`.
@@ -63,8 +64,8 @@ class BspFrame {
 /// error for every point within the box of the mesh.
 ///
 /// The proof. Let ε = 2^-53, and q and a the local places of the point and of a corner of the triangle, before and
-/// after their rounding no greater than 1. The exact height is n · (q − a) with exact q and a. Of the normal ñ that is
-/// computed each coordinate is off by at most 4εm of its magnitude m (three factors 1 + δ: two differences of corners
+/// after their rounding no greater than 1. The exact height is n · (q − a) with exact q and a. Each coordinate of the
+/// normal ñ that is computed is off by at most 4εm of its magnitude m (three factors 1 + δ: two differences of corners
 /// and a product, and the last difference), and |ñ| ≤ (1 + 4ε)m. So, per coordinate, replacing n by ñ costs 4εm · 2,
 /// rounding q and a costs εm · 2, and the two inner products of three terms, each with at most four roundings in a row,
 /// and their difference cost 4εm · 2 + εm · 2. The sum is 20εm, and second orders and the rounding of the bound itself
@@ -109,7 +110,7 @@ class BspPlanes {
   [[nodiscard]] const AxisPlane& axis_plane(BspPlane plane) const {
     return axis_planes_[plane - 10 * triangle_count()];
   }
-  /// Of a plane that is neither of a triangle nor across an axis.
+  /// The edge plane with this number, which is neither of a triangle nor across an axis.
   [[nodiscard]] EdgePlane edge_plane(BspPlane plane) const;
   [[nodiscard]] EdgeEnds edge_of(const EdgePlane& plane) const;
   [[nodiscard]] std::size_t bytes() const { return axis_planes_.capacity() * sizeof(AxisPlane); }
@@ -123,7 +124,7 @@ class BspPlanes {
   [[nodiscard]] RoundedBspPlane rounded(const AxisPlane& plane) const;
   [[nodiscard]] RoundedBspPlane rounded(const EdgePlane& plane) const;
 
-  /// On which side a point lies: positive in front, to where the normal points. Exact.
+  /// The side on which a point lies: positive in front, to where the normal points. Exact.
   [[nodiscard]] Sign side(const Vec3& point, BspPlane plane) const;
 
  private:

@@ -25,7 +25,7 @@ class BspPointWalk {
   std::array<float, 3> floats_;
 };
 
-/// Of a point on no face.
+/// The location of a point on no face.
 [[nodiscard]] inline PointLocation located_by(int winding) {
   return {winding != 0 ? Side::inside : Side::outside, winding};
 }

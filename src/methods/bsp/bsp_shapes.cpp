@@ -32,7 +32,7 @@ class FirstTriangle {
   }
 
  private:
-  /// Of those that are met at the start only a lesser one.
+  /// Whether a triangle is still to be cast: once one is met at the start, only a lesser one.
   [[nodiscard]] bool is_of_interest(Index number) const {
     return !is_cast_[number] && !(first_ && first_->upper == 0 && first_->element_b < number);
   }

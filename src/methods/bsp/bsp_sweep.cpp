@@ -75,7 +75,7 @@ void BspSweep::clip_to_box(const Aabb& box) {
 }
 
 /// The height of a place q is normal · q − offset, whose error is linear in q but for that of the offset: so at places
-/// up to `reach_` it is at most that many times the bound. Of the bound some 2^-21 of the slope are for roundings of
+/// up to `reach_` it is at most that many times the bound. Some 2^-21 of the slope in the bound are for roundings of
 /// floats, which do not happen here: that is more than the some 45 roundings of doubles, those in which a normal was
 /// summed up included. Being off by `off_` is worth that times the slope.
 inline BspHeights BspSweep::heights_of_middle(const BspSide& side) const {

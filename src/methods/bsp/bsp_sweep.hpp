@@ -45,7 +45,7 @@ struct BspHeights {
   double high = 0;
   double error = 0;
 
-  /// On which side all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
+  /// The side on which all of the shape certainly is during the stretch; zero where that is not certain, as for NaN.
   [[nodiscard]] Sign side(const BspStretch& s) const {
     const double first = start + s.from * rise, last = start + s.to * rise;
     const double above = error - low, below = -error - high;
@@ -59,8 +59,8 @@ struct BspHeights {
  private:
   /// Where the exact height of the shape's lowest or highest point is 0, the computed one is within the error, so this
   /// is no farther from where the computed one is 0 than the error over the rise. The error is 2^-20 of the slope times
-  /// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here. Of
-  /// the whole motion it is 3 · 2^-49 at least, as the error is at least three times the slope times `off_`
+  /// `reach_` at least, and the rise no more than twice that: so as much again is more than any roundings here. As a
+  /// share of the whole motion it is 3 · 2^-49 at least, as the error is at least three times the slope times `off_`
   /// (bsp_sweep.cpp). So beginnings are early by 48 roundings of the time, which leaves enough for those of
   /// `time_before`.
   [[nodiscard]] BspStretch cut(BspStretch stretch, double risen, bool begins) const {
@@ -113,7 +113,7 @@ class BspSweep {
  private:
   /// Points are asked for so often that nothing is computed for them which is 0.
   enum class Extent { point, shape };
-  /// From a node to a child.
+  /// A step from a node to a child.
   struct Step {
     BspChild node = 0;
     bool to_front = false;
@@ -143,7 +143,7 @@ class BspSweep {
     return !stretch.is_empty() && !(time_before(stretch) > latest_);
   }
   [[nodiscard]] BspHeights heights_of_middle(const BspSide& side) const;
-  /// By the box around the shape.
+  /// The heights by the box around the shape.
   [[nodiscard]] BspHeights rough_heights(const BspSide& side) const;
 
   const BspTree::Parts& parts_;

@@ -6,8 +6,8 @@
 
 namespace toccata {
 
-/// The winding number just in front of each triangle; just behind it is one more. Of a closed mesh that does not meet
-/// itself and has no triangle without area. Exact.
+/// The winding number just in front of each triangle; just behind it is one more. The mesh has to be closed, not to
+/// meet itself, and to have no triangle without area. Exact.
 [[nodiscard]] std::vector<int> windings_in_front(const Model& solid);
 
 }  // namespace toccata

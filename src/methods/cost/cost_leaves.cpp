@@ -18,7 +18,7 @@ constexpr std::size_t most_samples = 512;
 /// What takes less is repeated, so that the clock can tell.
 constexpr double shortest_timed = 20'000;
 
-/// In nanoseconds. Of this thread where the system tells it: a busy machine does not count then.
+/// The time in nanoseconds, of this thread alone where the system tells it: a busy machine does not count then.
 double thread_time() {
 #ifdef CLOCK_THREAD_CPUTIME_ID
   std::timespec now{};

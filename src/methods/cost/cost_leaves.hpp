@@ -13,7 +13,7 @@
 
 namespace toccata {
 
-/// Of operations that were repeated on purpose.
+/// The number of operations that were repeated on purpose, and the time they took.
 struct TimedOperations {
   std::size_t count = 0;
   double nanoseconds = 0;
@@ -24,7 +24,7 @@ struct TimedOperations {
   [[nodiscard]] double each() const { return count == 0 ? 0 : nanoseconds / static_cast<double>(count); }
 };
 
-/// By the clock of this thread.
+/// The time of the work, by the clock of this thread.
 [[nodiscard]] double nanoseconds_of(FunctionRef<void()> work);
 
 /// The time of `work`, which makes `count` operations; what is too short for the clock is repeated.

@@ -77,7 +77,7 @@ class CostVolumes {
     return placed_[place];
   }
 
-  /// Of a node that was looked at in this query.
+  /// The placed volume of a node that was looked at in this query.
   [[nodiscard]] const Placed& placed(NodeNumber node) const { return placed_[place_[node.number]]; }
 
   [[nodiscard]] std::size_t updates() const { return updated_.size(); }
@@ -145,7 +145,7 @@ class MeasuringQuestion {
   }
   [[nodiscard]] double limit() const { return leaves_.limit(); }
   void visit(std::span<const ItemPair> pairs) { leaves_.visit(pairs); }
-  /// Of two that were compared, and so are placed.
+  /// Whether the first of two nodes is split; they were compared, and so are placed.
   [[nodiscard]] bool split_first(NodeNumber a, NodeNumber b) const {
     return a_.placed(a).half_area >= b_.placed(b).half_area;
   }
@@ -257,7 +257,7 @@ template <BoundingVolume V>
   return cost;
 }
 
-/// Of the volume around all triangles.
+/// The size of the volume around all triangles.
 struct RootSize {
   double volume = 0;
   double surface = 0;
@@ -284,7 +284,7 @@ constexpr CostFunctions cost_functions() {
   return {cost_of_poses<V>, cost_of_refit<V>, time_fits<V>, size_of_root<V>, sizeof(BvhNode<V>), V::microseconds};
 }
 
-/// Not of CostVolume::wide.
+/// The functions of a volume other than CostVolume::wide.
 [[nodiscard]] CostFunctions cost_functions_of(CostVolume volume);
 
 }  // namespace toccata

@@ -31,7 +31,7 @@ Sign FacetPolygon::turn(Index half_edge_of_first, Index half_edge_of_second) con
          triple_product_sign(first_.along(half_edge_of_first), second_.along(half_edge_of_second), along_axis(axis_));
 }
 
-/// Of parallel edges.
+/// Whether two parallel edges point the same way.
 bool FacetPolygon::same_way(Index half_edge_of_first, Index half_edge_of_second) const {
   const Difference e = first_.along(half_edge_of_first), f = second_.along(half_edge_of_second);
   for (int axis = 0; axis < 3; ++axis)

@@ -54,13 +54,13 @@ class FarSearch {
     }
   }
 
-  /// From an edge that lies across the normal to the face that does, if one does.
+  /// Widens the feature from an edge that lies across the normal to the face that does, if one does.
   void widen(Index face, FarFeature& far) const {
     for (const Index h : {far.first, far.second}) {
       const SumOperand::HalfEdge& edge = other_.half_edges()[h];
       const SumOperand::Face& beside = other_.faces()[edge.face];
       if (own_.slope(face, other_, edge.next) != Sign::zero) continue;
-      // Of a flat operand both faces lie in the plane then, and one has the normal.
+      // Both faces of a flat operand lie in the plane then, and one has the normal.
       if (other_.dimension() == 2 && !normals_agree(face, edge.face)) continue;
       far = {.vertex = far.vertex, .first = beside.first, .size = beside.size};
       return;

@@ -20,7 +20,7 @@ struct SumFacets {
   std::vector<Index> first{0};     ///< facet i has the corners [first[i], first[i + 1])
   std::vector<SumFaceKind> kinds;
   std::vector<std::array<PlaneVector, 2>> planes;  ///< whose cross product is the outward normal
-  /// Of the half-edge that starts at a corner, by their places; none where they have to be found.
+  /// The twin of the half-edge that starts at a corner, both by their places; empty where they have to be found.
   std::vector<Index> twins;
 
   void close(SumFaceKind kind, const PlaneVector& u, const PlaneVector& v) {

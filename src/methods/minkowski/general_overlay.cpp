@@ -37,7 +37,7 @@ class GeneralOverlay {
   [[nodiscard]] SumFacets&& facets() { return std::move(facets_); }
 
  private:
-  /// Of each face the vertex of the other operand that is farthest along its normal.
+  /// Finds, for each face, the vertex of the other operand that is farthest along its normal.
   [[nodiscard]] static bool find_far(const SumOperand& own, const SumOperand& other, std::vector<Index>& far) {
     far.resize(own.faces().size());
     Index vertex = 0;
@@ -109,7 +109,7 @@ class GeneralOverlay {
     return true;
   }
 
-  /// On which side of the arc's great circle the normal of a face of B lies; zero where it is in doubt.
+  /// The side of the arc's great circle on which the normal of a face of B lies; zero where it is in doubt.
   [[nodiscard]] Sign side_of_face(Index face, Index e) const {
     const double slope = b_.rounded_slope(face, a_, e), error = b_.slope_error(face, a_);
     return slope > error ? Sign::positive : slope < -error ? Sign::negative : Sign::zero;

@@ -35,7 +35,7 @@ class KeyNumbers {
       }
   }
 
-  /// Of one that was added.
+  /// The number of a key that was added.
   [[nodiscard]] Index of(std::size_t key) const { return number_[key]; }
 
  private:
@@ -79,7 +79,7 @@ SumVertex end_of_line(const SumOperand& a, const SumOperand& b, bool least) {
   return {end(a), end(b)};
 }
 
-/// As HullTopology describes points and segments.
+/// The facets of a line as HullTopology describes points and segments.
 SumFacets facets_of_line(const SumOperand& a, const SumOperand& b) {
   SumFacets line;
   line.corners = {end_of_line(a, b, true), end_of_line(a, b, false)};

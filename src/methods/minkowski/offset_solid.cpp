@@ -68,7 +68,8 @@ OffsetSolid::OffsetSolid(const PosedPolytope& solid, double distance) {
 
 namespace {
 
-/// Not beyond the plane of a face moved outwards by the distance: n · (p − v) ≤ distance · |n|, exactly.
+/// Whether the point is not beyond the plane of a face moved outwards by the distance: n · (p − v) ≤ distance · |n|,
+/// exactly.
 bool is_behind_exactly(const SumOperand& solid, Index face, const Vec3& point, double distance) {
   const auto [u, v] = solid.plane_of(face);
   const std::array all{u.head, u.tail, v.head, point};

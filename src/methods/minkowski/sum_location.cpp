@@ -6,7 +6,7 @@
 namespace toccata {
 namespace {
 
-/// Of the core alone.
+/// The side of the core alone on which the point is.
 Sign side_of_core(const MinkowskiSum::Parts& sum, const Vec3& point) {
   if (sum.dimension < 3) return exact_side_of_flat(sum, point);
   const Vec3 q = sum.frame.local(point);

@@ -10,7 +10,7 @@ namespace toccata {
 /// The sign of a point's height above the plane of a face, exactly.
 [[nodiscard]] Sign exact_height(const MinkowskiSum::Parts& sum, Index face, const Vec3& point);
 
-/// Of a core that is flat: zero in it, else positive; exactly.
+/// The side of a flat core on which a point is: zero in the core, else positive; exactly.
 [[nodiscard]] Sign exact_side_of_flat(const MinkowskiSum::Parts& sum, const Vec3& point);
 
 /// The side of the sum, from that of its core.

@@ -9,9 +9,9 @@
 
 namespace toccata {
 
-/// A child of a node in a plane or on a line: another such node by its number, or a region that is not cut. Of one that
-/// lies on the surface, -2 - 7t - f has the least triangle t that it lies on and what of it: f below 3 is a vertex,
-/// below 6 an edge.
+/// A child of a node in a plane or on a line: another such node by its number, or a region that is not cut. For one
+/// that lies on the surface, -2 - 7t - f holds the least triangle t that it lies on and what of it: f below 3 is a
+/// vertex, below 6 an edge.
 using MspChild = std::int32_t;
 
 constexpr MspChild off_surface = -1;
@@ -52,7 +52,7 @@ struct MspTree::Parts {
   MspStatistics statistics;
 };
 
-/// As `build_bsp`.
+/// Builds the tree as `build_bsp` does.
 void build_msp(MspTree::Parts& parts, const BspOptions& options);
 
 }  // namespace toccata

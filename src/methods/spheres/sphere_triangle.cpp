@@ -147,8 +147,8 @@ std::size_t lowest(const Corners<Number>& t, const Vector<Number>& direction) {
   return best;
 }
 
-/// From a vertex to an edge to the face, each time with the vertex that lies nearest along the way to the origin. An
-/// edge that is left for another one never comes back, since the distance falls.
+/// Goes from a vertex to an edge to the face, each time with the vertex that lies nearest along the way to the origin.
+/// An edge that is left for another one never comes back, since the distance falls.
 template <class Number>
 Vector<Number> by_minimisation(const Corners<Number>& t) {
   Vector<Number> best = t.v[0];

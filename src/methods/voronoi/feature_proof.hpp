@@ -20,7 +20,7 @@ struct FeaturesAsked {
   std::array<FeatureCorners, 2> corners;
 };
 
-/// Of a feature that is no face of more than three corners.
+/// The corners of a feature that is no face of more than three corners.
 [[nodiscard]] inline FeatureCorners corners_of(const VoronoiRegions::Parts& parts, const ConvexFeature& feature) {
   if (feature.kind == ConvexFeature::Kind::edge) {
     const auto& ends = parts.edge(feature.index).vertex;

@@ -269,7 +269,7 @@ class WalkOfFeatures {
   FeaturesNear best_;
 };
 
-/// From the features to the nearest ones.
+/// The walk from the features to the nearest ones.
 FeatureWalk walked(WalkOfFeatures& walk, const ConvexFeature& on_a, const ConvexFeature& on_b, VoronoiPath* path) {
   const FeaturesNear* const start = walk.nearest(on_a, on_b);
   if (start == nullptr) return {{{on_a, on_b}, {}, {}, 0}, WalkEnd::below, 0};

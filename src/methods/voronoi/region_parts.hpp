@@ -55,7 +55,7 @@ struct VoronoiRegions::Parts {
   std::vector<Spoke> spokes;
   std::vector<Index> edge_number;  // of each half-edge, where its edge is
   std::vector<Edge> edges;
-  /// Of each edge: the face in which it leads to its greater end, and the other.
+  /// For each edge, the face in which it leads to its greater end, and the other.
   std::vector<std::array<Index, 2>> faces_at;
   std::vector<RegionPlane> rims;  // of each half-edge: the edge–face plane
   std::vector<Side> sides;
@@ -65,7 +65,7 @@ struct VoronoiRegions::Parts {
     const Vertex& v = vertices[vertex];
     return std::span(spokes).subspan(v.first_spoke, v.end_of_spokes - v.first_spoke);
   }
-  /// From the start of a half-edge to its end.
+  /// The way from the start of a half-edge to its end.
   [[nodiscard]] Vec3 way(Index half_edge) const {
     return vertex(topology.target(half_edge)) - vertex(topology.origin[half_edge]);
   }

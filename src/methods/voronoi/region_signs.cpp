@@ -17,7 +17,7 @@ Filtered filtered_along(const Vec3& from, const Vec3& to, const Vec3& p) {
   return {dot(e, q), 0x1p-50 * magnitude};
 }
 
-/// On which side of a vertex–edge plane a point lies: positive, ahead of the vertex along the edge.
+/// The side of a vertex–edge plane on which a point lies: positive, ahead of the vertex along the edge.
 Sign side_of_vertex(const RegionParts& parts, Index half_edge, const Vec3& p) {
   const Vec3 from = parts.vertex(parts.topology.origin[half_edge]);
   const Vec3 to = parts.vertex(parts.topology.target(half_edge));
@@ -32,9 +32,9 @@ double magnitude_of_product(const Vec3& u, const Vec3& v) {
   return ((std::fabs(u.x * v.x) + std::fabs(u.y * v.y)) + std::fabs(u.z * v.z)) + filter::floor;
 }
 
-/// On which side of an edge–face plane: positive, ahead of the edge into the face. With the edge e and another edge f
-/// of the face from the same corner, both from the edge's end, the way into the face is (e × f) × e = (e · e) f − (e ·
-/// f) e turned as e and f turn.
+/// The side of an edge–face plane on which a point lies: positive, ahead of the edge into the face. With the edge e and
+/// another edge f of the face from the same corner, both from the edge's end, the way into the face is (e × f) × e = (e
+/// · e) f − (e · f) e turned as e and f turn.
 Sign side_of_edge(const RegionParts& parts, Index half_edge, const Vec3& p) {
   const HullTopology& t = parts.topology;
   const Vec3 from = parts.vertex(t.origin[half_edge]), to = parts.vertex(t.target(half_edge));

@@ -19,8 +19,8 @@ int dimension_of(const HullTopology& topology) {
   return topology.origin.empty() ? 0 : std::min(static_cast<int>(topology.face_count()), 3);
 }
 
-/// Of a face: its normal, and what each coordinate of that may be off by. The normal is that of the corner where the
-/// two edges are the least parallel: off by 6u of the product of their lengths, and rounded to length 1.
+/// The normal of a face, and what each of its coordinates may be off by. The normal is that of the corner where the two
+/// edges are the least parallel: off by 6u of the product of their lengths, and rounded to length 1.
 struct FaceNormal {
   Vec3 unit;
   double error = 0;
@@ -95,7 +95,7 @@ RegionParts::Side side_of(const RegionParts& parts, Index face, std::span<const 
   return side;
 }
 
-/// From the start of a half-edge into its face: see `Edge::into`.
+/// The way from the start of a half-edge into its face: see `Edge::into`.
 Vec3 way_into(const RegionParts& parts, Index half_edge) {
   const HullTopology& t = parts.topology;
   const RegionParts::Side& beyond = parts.sides[t.face[t.twin[half_edge]]];

@@ -53,7 +53,7 @@ Index corner_before(const WalkBody& body, Index face, const Vec3& on) {
   return h;
 }
 
-/// Of any feature, one point of which is given.
+/// Corners of any feature, one point of which is given.
 FeatureCorners corners_around(const WalkBody& body, const ConvexFeature& feature, const Vec3& on) {
   if (!has_more_corners(*body.parts, feature)) return corners_of(*body.parts, feature);
   const HullTopology& t = body.parts->topology;
@@ -159,7 +159,7 @@ class TrackedQuestion {
     tracked_.workspace.simplex_size = static_cast<int>(pairs.size);
   }
 
-  /// By GJK, from what is kept of the last search or walk.
+  /// The distance by GJK, from what is kept of the last search or walk.
   Distance searched() {
     ++tracked_.counts.searched;
     const Distance distance = distance_by_gjk(a_, b_, {}, &tracked_.workspace);

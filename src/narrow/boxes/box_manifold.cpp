@@ -31,7 +31,7 @@ constexpr FaceFeatures features_of(Index face) {
 constexpr std::array<FaceFeatures, 6> features_of_faces = {features_of(0), features_of(1), features_of(2),
                                                            features_of(3), features_of(4), features_of(5)};
 
-/// Of one place of an overlay.
+/// The features of one place of an overlay.
 using PlaceFeatures = std::array<ConvexFeature, 2>;  // on the reference face and on the incident one
 
 // Without branches: nothing is harder to guess than which kind of corner comes next.

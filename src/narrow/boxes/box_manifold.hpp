@@ -14,7 +14,7 @@ class RigidBoxContact {
   /// If not, somebody else has to find some.
   [[nodiscard]] bool has_points() const { return is_of_faces() || is_of_edges(axis_); }
 
-  /// Of the boxes, or of the second and the first. Precondition: they meet, and it has points.
+  /// The manifold of the boxes, or of the second and the first. Precondition: they meet, and it has points.
   [[nodiscard]] Manifold manifold(bool exchanged) const;
 
  private:

@@ -26,7 +26,7 @@ alignas(32) constexpr double sign_y[4] = {-1, -1, 1, 1};
 alignas(32) constexpr double way_x[4] = {2, 0, -2, 0};
 alignas(32) constexpr double way_y[4] = {0, 2, 0, -2};
 
-/// Of the sides along one axis: the shares of their length within which they are between its two lines.
+/// For the sides, along one axis: the shares of their length within which they are between its two lines.
 struct SideShares {
   Row enter, leave;
   RowMask starts_within, goes_up;
@@ -111,7 +111,7 @@ struct FoundPlace {
   double value;
 };
 
-/// Of equals the first.
+/// The least value and its place, of equals the first.
 HWY_INLINE FoundPlace found_least(const Sixteen& values) {
   const Row least = least_of(values);
   const unsigned bits = each_bits([&](std::size_t k) { return values.row[k] == least; });
@@ -131,7 +131,7 @@ unsigned resting_candidates(const BoxOverlay& overlay) {
   return overlay.points & each_bits([&](std::size_t k) { return load(overlay.gap.data() + 4 * k) <= limit; });
 }
 
-/// Of those within the tolerance of each other only the first.
+/// The candidates, but only the first of those within the tolerance of each other.
 unsigned without_doubles(const BoxOverlay& overlay, unsigned candidates) {
   const double tolerance = 0x1p-42 * overlay.size;
   unsigned kept = 0;

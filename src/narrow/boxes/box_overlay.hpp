@@ -12,7 +12,7 @@
 namespace toccata {
 
 /// A parallelogram, centre ± along_x ± along_y, over a rectangle around the origin of which the sides are along x and
-/// y. Of its corners number 0 is at −, −, 1 at +, −, 2 at +, +, 3 at −, +, and side k leaves corner k; those of the
+/// y. Its corner number 0 is at −, −, 1 at +, −, 2 at +, +, 3 at −, +, and side k leaves corner k; those of the
 /// rectangle are numbered likewise.
 struct SeenFace {
   Vec3 centre;
@@ -26,7 +26,7 @@ struct SeenFace {
 struct BoxOverlay {
   static constexpr std::size_t capacity = 16;
 
-  /// Without a point; nothing is written that nobody reads.
+  /// An overlay without a point; nothing is written that nobody reads.
   BoxOverlay() {}
 
   static constexpr Index first_entry = 4;    ///< before it the parallelogram's corners that are over the rectangle
@@ -42,7 +42,7 @@ struct BoxOverlay {
   unsigned enters_along_x, leaves_along_x;  ///< across a side of the rectangle that is along y
   unsigned goes_up_x, goes_up_y;            ///< towards greater coordinates
 
-  /// Of the rectangle, which the parallelogram's side crosses at a place from first_entry on.
+  /// The side of the rectangle which the parallelogram's side crosses at a place from first_entry on.
   [[nodiscard]] Index crossed_side(Index place) const {
     const Index side = place & 3U;
     const bool is_exit = place >= first_exit;
@@ -61,8 +61,8 @@ struct ChosenPlaces {
   std::size_t count;
 };
 
-/// Of the corners that touch, or nearly do, each once: all up to four; else the deepest, the farthest from it, and the
-/// farthest to both sides of the line through these, or the two farthest to one.
+/// Chooses among the corners that touch, or nearly do, each once: all up to four; else the deepest, the farthest from
+/// it, and the farthest to both sides of the line through these, or the two farthest to one.
 [[nodiscard]] ChosenPlaces chosen_places(const BoxOverlay& overlay);
 
 }  // namespace toccata

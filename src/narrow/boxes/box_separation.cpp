@@ -23,13 +23,13 @@ Vec3 face_normal(const BoxView& box, std::size_t i) {
   return unit_of_nearly_unit(cross(box.axis(next_axis(i)), box.axis(next_axis(next_axis(i)))));
 }
 
-/// From A to B, as the way along the edge across the face goes.
+/// The direction from A to B, as the way along the edge across the face goes.
 Vec3 direction_of_face(const BoxView& box, std::size_t i, double way) {
   const Vec3 normal = face_normal(box, i);
   return std::copysign(1, way) * std::copysign(1, dot(normal, box.axis(i))) * normal;
 }
 
-/// From A to B.
+/// The direction from A to B.
 Vec3 direction_of_edges(const BoxView& a, const BoxView& b, std::size_t i, std::size_t j) {
   const Vec3 normal = cross(a.axis(i), b.axis(j));
   const double inverse = 1 / std::sqrt(dot(normal, normal));
@@ -118,7 +118,7 @@ std::optional<Vec3> deepest_over_face(const BoxView& a, const BoxView& b, const 
   return BoxFacePlane(reference, contact.faces.reference).at(x / count, y / count);
 }
 
-/// Of a face against whatever lies deepest over it.
+/// Finds the points of a face against whatever lies deepest over it.
 bool find_points_of_face(CoreSeparation& separation, const BoxView& a, const BoxView& b, const RigidBoxAxes& axes,
                          const ChosenBoxAxis& axis) {
   const Vec3 way = separation.upper * axis.direction;
@@ -146,7 +146,7 @@ std::array<Index, 3> corners_of_face(const BoxView& box, std::size_t across, con
   return {corner, corner ^ x, corner ^ y};
 }
 
-/// Of the facet that belongs to an axis.
+/// The corners of the facet that belongs to an axis.
 VertexPairs facet_corners(const PosedPolytope& a, const PosedPolytope& b, const ChosenBoxAxis& axis) {
   const BoxView view_a = view_of(a), view_b = view_of(b);
   const Index of_a = farthest_corner(view_a, axis.direction), of_b = farthest_corner(view_b, -axis.direction);
@@ -202,7 +202,7 @@ Vec3 farthest_point(const BoxView& box, const Vec3& direction) {
   return point;
 }
 
-/// Of boxes that an axis parts, which needs neither the nearest points nor the way between them.
+/// The answer for boxes that an axis parts, which needs neither the nearest points nor the way between them.
 CoreSeparation parted_along(const BoxView& a, const BoxView& b, Index axis) {
   const Vec3 way = b.box->centre - a.box->centre;
   CoreSeparation separation;

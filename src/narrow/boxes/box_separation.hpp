@@ -21,11 +21,11 @@ struct ChosenBoxAxis {
   double sine = 1;         ///< of the angle between the edges
 };
 
-/// Of an edge of each, not of a face.
+/// Whether the axis is that of an edge of each, not of a face.
 [[nodiscard]] inline bool is_of_edges(const ChosenBoxAxis& axis) { return axis.edge_a != 3 && axis.edge_b != 3; }
 
 /// The axis along which the boxes overlap the least; edge pairs only where they have less than `edge_share` of the best
-/// face's depth. Of equals faces of A come first, then faces of B. For boxes that are not certainly apart.
+/// face's depth. Among equals faces of A come first, then faces of B. For boxes that are not certainly apart.
 [[nodiscard]] ChosenBoxAxis least_axis(const BoxView& a, const BoxView& b, const RigidBoxAxes& axes, double edge_share);
 
 /// The points of the two edges that an edge axis is made of that are nearest to each other.
@@ -47,12 +47,12 @@ struct OverlappingBoxes {
 };
 
 /// Nothing when the boxes are not certain to meet, or the bracket would be wider than it may be for boxes grown by
-/// `reach` in sum. Of boxes without radii that are certainly apart, a direction that parts them, and their corners that
-/// are farthest along it. In canonical order of the two.
+/// `reach` in sum. For boxes without radii that are certainly apart, it is a direction that parts them, with their
+/// corners that are farthest along it. In canonical order of the two.
 [[nodiscard]] std::optional<CoreSeparation> part_rigid_boxes(const BoxView& a, const BoxView& b, double reach,
                                                              OverlappingBoxes& found);
 
-/// Of boxes in canonical order for which `part_rigid_boxes` has nothing.
+/// The penetration of boxes in canonical order for which `part_rigid_boxes` has nothing.
 [[nodiscard]] std::optional<Penetration> penetration_of_close_boxes(const PosedPolytope& a, const PosedPolytope& b,
                                                                     const OverlappingBoxes& found);
 

@@ -66,7 +66,7 @@ struct AxesInRows {
   Row cosines[3], turned[3], edge_overlap[3];
 };
 
-/// Of each overlap; `sizes` are all extents and the way.
+/// The error of each overlap; `sizes` are all extents and the way.
 struct AxesError {
   double sizes, error;
 };
@@ -201,7 +201,7 @@ HWY_INLINE Nearness look_along_axes(const TwoBoxes& boxes, const AxesError& erro
   return error.error < 0x1p1000 && !is_any(all <= row_of(error.error)) ? Nearness::meet : Nearness::unknown;
 }
 
-/// Of boxes that are apart. Where no face parts them all axes have been filled in.
+/// The place of an axis that separates boxes that are apart. Where no face parts them all axes have been filled in.
 HWY_INLINE Index place_of_separating_axis(const AxesInRows& axes, double error) {
   const auto apart = [&](const Row& overlap, unsigned first) {
     return (bits_of(overlap < row_of(-error)) & 7U) << first;

@@ -51,10 +51,11 @@ struct RigidBoxAxes {
   std::array<FourDoubles, 3> turned_cosines;  ///< [edge of B][edge of A]
   std::array<FourDoubles, 3> edge_overlap;
 
-  // Of equals the first. Depths are overlaps per length of the axis.
+  // The places of least depth, of equals the first. Depths are overlaps per length of the axis.
   Index least_face;   ///< of the three of A, then of B
   Index least_edges;  ///< 3 · edge of A + edge of B; a nearly parallel pair only where there is no other
-  /// Of boxes that are apart this alone: an axis that parts them; a face as above, or 6 more than an edge pair.
+  /// For boxes that are apart only this is filled in: an axis that parts them; a face as above, or 6 more than an edge
+  /// pair.
   Index separating_axis;
 
   /// The square of the sine of the angle between edges.

@@ -35,7 +35,7 @@ HWY_INLINE hn::Vec<Coordinates> products_of_columns(const PoseRows& u, const Pos
   return hn::MulAdd(u.x.xyz, v.x.xyz, hn::MulAdd(u.y.xyz, v.y.xyz, hn::Mul(u.z.xyz, v.z.xyz)));
 }
 
-/// Of each column the square of its length, less 1, and twice its product with the next: magnitudes.
+/// For each column the square of its length, less 1, and twice its product with the next: the sum of their magnitudes.
 HWY_INLINE hn::Vec<Coordinates> skew_of(const PoseRows& r) {
   alignas(32) static constexpr double ones[4] = {1, 1, 1, 0};
   const auto squares = products_of_columns(r, r), products = products_of_columns(r, {next(r.x), next(r.y), next(r.z)});

@@ -43,7 +43,7 @@ Vec3 mean_of(const Points& points) {
   return (1.0 / static_cast<double>(points.size())) * sum;
 }
 
-/// Of those as deep as any, within `same_depth`, the first that is farthest from the middle.
+/// The first of those farthest from the middle, among the points as deep as any, within `same_depth`.
 template <class Points>
 std::size_t deepest_of(const Points& points, double same_depth) {
   const double depth = greatest_depth(points);

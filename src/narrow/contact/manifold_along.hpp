@@ -10,7 +10,7 @@ namespace toccata {
 /// neither turns a face or a line that way.
 [[nodiscard]] Manifold manifold_along(const PosedPolytope& a, const PosedPolytope& b, const Vec3& direction);
 
-/// Of a quadric and a triangle.
+/// The same for a quadric and a triangle.
 [[nodiscard]] Manifold manifold_along(const PosedQuadric& a, const PosedPolytope& triangle, const Vec3& direction);
 
 /// How far A reaches along a unit direction beyond where B begins, rounded.

@@ -37,7 +37,8 @@ AlignedCoordinate aligned(const double* along) {
   return {};
 }
 
-/// Of a box whose corners have only two coordinates along every axis, whichever of its edges is along which.
+/// The extents of a box whose corners have only two coordinates along every axis, whichever of its edges is along
+/// which.
 std::optional<Extents> extents_of_corners(const PosedPolytope& box) {
   Extents extents;
   int bits = 0;
@@ -50,7 +51,7 @@ std::optional<Extents> extents_of_corners(const PosedPolytope& box) {
   return bits == 7 ? std::optional(extents) : std::nullopt;
 }
 
-/// Of a segment along an axis, or a point.
+/// The extents of a segment along an axis, or of a point.
 std::optional<Extents> extents_of_ends(const PosedPolytope& core) {
   Extents extents;
   int turned = 0;
@@ -68,7 +69,7 @@ std::optional<Extents> extents(const PosedPolytope& shape) {
   return shape.vertex_count() == 8 ? extents_of_corners(shape) : std::nullopt;
 }
 
-/// Without an error where it is exact, as it often is of coordinates and radii of a few digits.
+/// The sum, without an error where it is exact, as it often is for coordinates and radii of a few digits.
 BoundedNumber sum(const BoundedNumber& a, double b) {
   const TwoPart high = two_sum(a.value.high, b), low = two_sum(high.low, a.value.low);
   if (a.error == 0 && low.low == 0) return {double_word(two_sum(high.high, low.high)), 0};
@@ -88,9 +89,9 @@ struct AlignedPair {
   [[nodiscard]] bool cores_meet() const { return std::ranges::all_of(between, is_exactly_zero); }
   [[nodiscard]] bool has_radius() const { return radius_a > 0 || radius_b > 0; }
   [[nodiscard]] BoundedNumber reach() const { return exactly(radius_a) + exactly(radius_b); }
-  /// Of cores that are so far apart.
+  /// The gap between shapes whose cores are so far apart.
   [[nodiscard]] BoundedNumber gap(const BoundedNumber& apart) const { return sum(sum(apart, -radius_a), -radius_b); }
-  /// Of cores that are so deep in each other.
+  /// The depth of shapes whose cores are so deep in each other.
   [[nodiscard]] BoundedNumber depth(const BoundedNumber& of_cores) const {
     return sum(sum(of_cores, radius_a), radius_b);
   }
@@ -132,7 +133,7 @@ std::optional<Vec3> surface_point(const Vec3& point, double by, const BoundedVec
   return nearest_doubles(exactly(point) + (exactly(by) / length) * along);
 }
 
-/// Of shapes whose cores are apart and whose radii reach.
+/// A common point of shapes whose cores are apart and whose radii reach.
 std::optional<Distance> common_point(const AlignedPair& pair) {
   const auto at = [](const Vec3& point) { return Distance{0, 0, point, point, Status::exact}; };
   if (pair.radius_a == 0) return at(pair.on_a);
@@ -141,7 +142,7 @@ std::optional<Distance> common_point(const AlignedPair& pair) {
   return common ? std::optional(at(*common)) : std::nullopt;
 }
 
-/// Of shapes whose cores are that far apart, and of which one has a radius.
+/// The distance of shapes whose cores are that far apart, and of which one has a radius.
 std::optional<Distance> offset_distance(const AlignedPair& pair, const BoundedNumber& apart) {
   const BoundedNumber gap = pair.gap(apart);
   if (gap.is_negative()) return common_point(pair);
@@ -174,8 +175,8 @@ std::size_t set_face_at(const Vec3& point, const PosedPolytope& core, const Exte
 
 double middle_of(double lower, double upper) { return std::max(lower, std::min(upper, 0.5 * lower + 0.5 * upper)); }
 
-/// Of shapes whose cores meet. The difference of two such cores is a box with edges parallel to the axes, so that its
-/// depth is the least of six differences of coordinates.
+/// The penetration of shapes whose cores meet. The difference of two such cores is a box with edges parallel to the
+/// axes, so that its depth is the least of six differences of coordinates.
 std::optional<Penetration> penetration_of_cores_that_meet(const AlignedPair& pair) {
   Penetration result;
   result.lower = result.upper = infinity;

@@ -182,7 +182,7 @@ class ShapeCast {
     return is_soon(later, width_far_out) ? later : std::nullopt;
   }
 
-  /// From core to core, at a time; zero where it is not certain.
+  /// The direction from core to core, at a time; zero where it is not certain.
   [[nodiscard]] Vec3 across_at(double time) const {
     const PosedPolytope moved = a_.moved(time * motion_);
     const auto nearest = certain_nearest({moved, kernels_}, {b_, kernels_}, last_);

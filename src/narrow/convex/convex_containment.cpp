@@ -12,9 +12,9 @@
 #include "narrow/convex/core_distance.hpp"
 #include "shapes/hull_walk.hpp"
 
-// Of A grown by r and B grown by s, a common part of the radii may be taken off both (cancellation law of Minkowski
-// sums of compact convex sets). With r ≤ s, A lies in B grown by s − r: every vertex of A is that near to B, whose
-// growth is convex. With r > s, A grown by r − s lies in B: no facet's plane is nearer to a vertex of A than that.
+// A common part of the radii may be taken off both A grown by r and B grown by s (cancellation law of Minkowski sums of
+// compact convex sets). With r ≤ s, A lies in B grown by s − r: every vertex of A is that near to B, whose growth is
+// convex. With r > s, A grown by r − s lies in B: no facet's plane is nearer to a vertex of A than that.
 namespace toccata {
 namespace {
 
@@ -174,7 +174,7 @@ bool has_interior(const PosedPolytope& shape) {
   if (shape.radius() > 0) return true;
   if (shape.vertex_count() < 4) return false;
   if (is_rigid_and_plain(view_of(shape))) return true;
-  // Of a box the corners 0, 1, 2 and 4; of a hull any four, which nearly always are enough.
+  // These are the corners 0, 1, 2 and 4 of a box, and any four of a hull, which nearly always are enough.
   const Vec3 a = shape.vertex(0), b = shape.vertex(1), c = shape.vertex(2), d = shape.vertex(shape.vertex_count() / 2);
   const Filtered volume = filtered_orient3d(a, b, c, d);
   return volume.is_positive() || volume.is_negative() || world_hull(shape).dimension() == 3;

@@ -13,7 +13,7 @@ struct ContainmentAnswer {
   bool by_exact = false;
 };
 
-/// Of two solids with an interior: every point of one is a point of the other.
+/// Whether one of two solids with an interior contains the other: every point of one is a point of the other.
 [[nodiscard]] ContainmentAnswer containment_of_solids(const PosedPolytope& a, const PosedPolytope& b);
 
 /// Every point of the surface A lies in the interior of the solid B: a_in_b, or none.

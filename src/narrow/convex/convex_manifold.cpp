@@ -187,7 +187,7 @@ ManifoldPoints points_of_faces(const PosedPolytope& a, const PosedPolytope& b, c
   return points;
 }
 
-/// Of the edges between two box corners each that are nearest along a direction.
+/// The point of the edges, each between two box corners, that are nearest along a direction.
 ManifoldPoint point_of_edges(const PosedPolytope& a, const PosedPolytope& b, const BoxAxis& axis) {
   const Index low_a = farthest_corner(a, axis.direction) & ~(1U << axis.edge_a), high_a = low_a | 1U << axis.edge_a;
   const Index low_b = farthest_corner(b, -axis.direction) & ~(1U << axis.edge_b), high_b = low_b | 1U << axis.edge_b;
@@ -217,7 +217,7 @@ Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes&
   return made_of(axis.direction, points);
 }
 
-/// Of shapes that meet.
+/// How shapes that meet are parted.
 ConvexSeparation part_shapes(const PosedPolytope& a, const PosedPolytope& b) {
   if (a.radius() == 0 && b.radius() == 0) return part_meeting_cores(a, b);
   if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return *aligned;
@@ -239,7 +239,7 @@ Manifold of_any(const PosedPolytope& a, const PosedPolytope& b) {
   return made_of(p.direction, points);
 }
 
-/// Of shapes that meet, of any size.
+/// The manifold of shapes that meet, of any size.
 Manifold of_any_size(const PosedPolytope& a, const PosedPolytope& b) {
   const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
   return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
@@ -258,7 +258,7 @@ Manifold in_canonical_order(const PosedPolytope& a, const PosedPolytope& b, Simp
   return (meet.has_value() ? *meet : overlap(a, b, workspace)) ? of_boxes(a, b, axes) : Manifold{};
 }
 
-/// Of two boxes; nothing where their formula finds no points.
+/// The manifold of two boxes; nothing where their formula finds no points.
 std::optional<Manifold> of_rigid_boxes(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
   if (!is_rigid_and_plain(view_of(a)) || !is_rigid_and_plain(view_of(b))) return {};
   const std::optional<bool> by_centre = is_order_of_centres(view_of(a), view_of(b));

@@ -22,7 +22,7 @@ void require_solid(const PosedPolytope& shape, const char* which) {
               "could leave; give it a radius, or ask for the distance or the manifold");
 }
 
-/// Of boxes, and of grown cores that are aligned with the axes.
+/// The penetration of boxes, and of grown cores that are aligned with the axes.
 std::optional<Penetration> penetration_by_closed_form(const PosedPolytope& a, const PosedPolytope& b) {
   if (a.radius() > 0 || b.radius() > 0) {
     if (!is_canonical_order(a, b)) {

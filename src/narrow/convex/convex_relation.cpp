@@ -36,9 +36,9 @@ class RelationQuestion {
     return {RelationKind::touching, Containment::none, !a_.solid() && !b_.solid()};
   }
 
-  /// Of two solids the interiors meet; of a solid and a surface, the surface meets the interior; of two surfaces the
-  /// relative interiors meet, and they do not lie in one plane. With radii that is: the cores are nearer than their
-  /// sum.
+  /// Whether the interiors of two solids meet; for a solid and a surface, whether the surface meets the interior; for
+  /// two surfaces, whether the relative interiors meet and the two do not lie in one plane. With radii that is: the
+  /// cores are nearer than their sum.
   bool meet_deeply() {
     if (is_flattened(a_) || is_flattened(b_)) return false;
     const VertexPairs simplex = cached_simplex(workspace_, a_, b_);

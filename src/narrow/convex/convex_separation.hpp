@@ -7,8 +7,8 @@
 namespace toccata {
 
 /// The shortest way to part two shapes that meet, solid or not, and the vertices of the cores between which it was
-/// found: those whose hulls hold the two points. Of surfaces, and of shapes that touch, a direction along which they
-/// can be parted; both bounds are 0 then. Nothing of use when the shapes are apart.
+/// found: those whose hulls hold the two points. For surfaces, and for shapes that touch, it is a direction along which
+/// they can be parted; both bounds are 0 then. Nothing of use when the shapes are apart.
 struct ConvexSeparation {
   Penetration penetration;
   VertexPairs pairs;
@@ -17,7 +17,7 @@ struct ConvexSeparation {
 /// The penetration of shapes whose cores' interiors meet: the radii add to the cores' depth.
 [[nodiscard]] Penetration offset_outward(const CoreSeparation& core, double radius_a, double radius_b);
 
-/// By expansion. The answer for (B, A) may have other bits: ask in canonical order.
+/// Parts the shapes by expansion. The answer for (B, A) may have other bits: ask in canonical order.
 [[nodiscard]] ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
 
 /// The same where it is known that even the cores have a point in common; quicker then.

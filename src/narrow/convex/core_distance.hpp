@@ -13,7 +13,8 @@ struct CoreDistanceOrder {
   VertexPairs simplex;     ///< where the search ended
 };
 
-/// With the length x + y, which is not negative; exactly. Searches from `start`, which may be empty.
+/// Compares the distance of the cores with the length x + y, which is not negative; exactly. Searches from `start`,
+/// which may be empty.
 [[nodiscard]] CoreDistanceOrder compare_core_distance(const PosedPolytope& a, const PosedPolytope& b, double x,
                                                       double y, const VertexPairs& start);
 

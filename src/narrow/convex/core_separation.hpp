@@ -29,16 +29,16 @@ struct CoreSeparation {
 /// (upper + the sum of the radii).
 inline constexpr double relative_width_of_depth = 0x1p-40;
 
-/// By expanding a polytope within the Minkowski difference (G. van den Bergen, "Proximity queries and penetration depth
-/// computation on 3D game objects", 2001): quickly, or else exactly. `reach`: the sum of the radii by which the shapes
-/// are grown.
+/// Parts the cores by expanding a polytope within the Minkowski difference (G. van den Bergen, "Proximity queries and
+/// penetration depth computation on 3D game objects", 2001): quickly, or else exactly. `reach`: the sum of the radii by
+/// which the shapes are grown.
 [[nodiscard]] CoreSeparation part_cores_by_expansion(const PosedPolytope& a, const PosedPolytope& b, double reach);
 
 /// In doubles; nothing when rounding leaves a doubt.
 [[nodiscard]] std::optional<CoreSeparation> part_cores_fast(const PosedPolytope& a, const PosedPolytope& b,
                                                             double reach);
 
-/// With exact signs and from any start: the origin may be outside.
+/// Parts the cores with exact signs and from any start: the origin may be outside.
 [[nodiscard]] CoreSeparation part_cores_exactly(const PosedPolytope& a, const PosedPolytope& b, double reach);
 
 }  // namespace toccata

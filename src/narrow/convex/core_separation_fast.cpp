@@ -22,7 +22,7 @@
 // are then differences of vertices, e and f, off by u of each coordinate; n = e × f is off by at most 7u|e||f|; a
 // corner p by u|p|; so n · p / |n| is off by at most u|p|(9 + 15|e||f| / |n|).
 //
-// Of shallow shapes w is less than that. Then the facet's plane is computed with double-words, and proved to be one of
+// For shallow shapes w is less than that. Then the facet's plane is computed with double-words, and proved to be one of
 // D's, with the origin's foot p on it, d from the origin along n, and all points of the facet as near as r to p. What
 // doubles do not tell of the other facets is told by p, as long as they lie no lower than d − δ along n. A ray from the
 // origin at an angle of up to atan(r / d) with n meets D's facet, at d or beyond; another one that meets such a facet,
@@ -32,7 +32,7 @@ namespace {
 
 constexpr double half_width = 0x1p-41;
 
-/// Of a facet of D, from vertices of the shapes.
+/// The plane of a facet of D, from vertices of the shapes.
 struct FacetPlane {
   Vec3 start_a, start_b;  ///< whose difference is a corner
   Vec3 edge, other_edge;  ///< when it is made of an edge of each, first that of A
@@ -195,7 +195,7 @@ class FastSeparation {
 
   [[nodiscard]] Vec3 corner(Index f, std::size_t k) const { return surface_.point(surface_.facets.corner(f, k)); }
 
-  /// By the formula: for a facet that has the origin behind it.
+  /// Decides by the formula, for a facet that has the origin behind it.
   [[nodiscard]] bool is_certainly_beyond(Index f, double lower) const {
     FacetCorners corners = corners_of(f);
     const FacetKind kind = sort(corners);

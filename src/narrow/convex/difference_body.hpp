@@ -30,7 +30,7 @@ class CoreVertices {
   [[nodiscard]] Vec3 operator[](Index i) const { return {world_[0][i], world_[1][i], world_[2][i]}; }
   [[nodiscard]] const Vec3& least() const { return least_; }
   [[nodiscard]] const Vec3& greatest() const { return greatest_; }
-  /// Of all coordinates (wide_integer.hpp).
+  /// The least exponent of all coordinates (wide_integer.hpp).
   [[nodiscard]] int least_exponent() const;
 
   /// Height of vertex i along n, above the first vertex, scaled. Off by at most 2^-50 of the shape's scaled extent, for
@@ -96,7 +96,7 @@ class DifferenceBody {
   [[nodiscard]] double extent() const { return extent_; }
   /// From scaled lengths back: multiply by the first, then by the second. Exact but for over- and underflow.
   [[nodiscard]] double unscaled(double length) const { return length / second_ / first_; }
-  /// Of a depth along a direction that is a unit vector up to 2^-50, what parts in the world's unit; and no more than
+  /// For a depth along a direction that is a unit vector up to 2^-50: what parts in the world's unit, and no more than
   /// the depth, which is positive. The way back to that unit may round.
   [[nodiscard]] double upper_in_world(double depth) const {
     return std::nextafter(unscaled(depth + 0x1p-49 * depth), infinity);

@@ -143,8 +143,8 @@ void ExpandingPolytope::make_exact(Index f) {
   planes_.push_back(std::move(plane));
 }
 
-// Of a face of one and a vertex of the other, or of an edge of each, the corners' vertices make no other points of D
-// than such as lie in the plane.
+// Where the facet is of a face of one and a vertex of the other, or of an edge of each, the corners' vertices make no
+// other points of D than such as lie in the plane.
 bool ExpandingPolytope::is_certainly_of_body(Index f) const {
   const Vec3& n = facets_[f].normal;
   const DifferencePoint &p = corner(f, 0), &q = corner(f, 1), &r = corner(f, 2);
@@ -195,7 +195,7 @@ ExpandingPolytope::ExactSupport ExpandingPolytope::exact_support(Index f) const 
   return {body_.point(best.on_a, best.on_b), sign_of(WideInteger(greatest - plane.offset))};
 }
 
-// Of two edges, one of A and one of B, the four differences lie in one plane.
+// The four differences of two edges, one of A and one of B, lie in one plane.
 bool ExpandingPolytope::completes_parallelogram(Index f, const DifferencePoint& p) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const DifferencePoint &opposite = corner(f, k), &q = corner(f, (k + 1) % 3), &r = corner(f, (k + 2) % 3);

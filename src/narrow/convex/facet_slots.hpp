@@ -24,7 +24,7 @@ class FacetSlots {
     void set(std::size_t f) { word[f / 64] |= std::uint64_t{1} << (f % 64); }
   };
 
-  /// Of the way around a hole: the new facet in the slot has the corners `from`, `to` and the new one.
+  /// An edge of the way around a hole: the new facet in the slot has the corners `from`, `to` and the new one.
   struct HoleEdge {
     std::uint16_t slot;
     std::uint16_t twin;  ///< of the facet that stays

@@ -112,7 +112,7 @@ class SearchedShape {
     return std::min(start + in_chunk, shape_.vertex_count() - 1);
   }
 
-  /// Of up to a chunk of vertices; the heights hold which of them it is.
+  /// The range of up to a chunk of vertices; the heights hold which of them it is.
   [[nodiscard]] HWY_INLINE Range range(const Vec3& n, Index first) const {
     const hn::RebindToUnsigned<Tag> bits;
     const Index count = std::min(static_cast<Index>(chunk), shape_.padded_count() - first);
@@ -183,7 +183,7 @@ class Expansion {
     return i;
   }
 
-  /// Of a facet, with the edges that lead from a corner to the others. False when it has hardly an area.
+  /// Measures a facet, with the edges that lead from a corner to the others. False when it has hardly an area.
   HWY_INLINE bool measure(Index f, const Vec3& corner, const Vec3& to_first, const Vec3& to_second) {
     const Vec3 n = cross(to_first, to_second);
     const double squared = dot(n, n), offset = dot(n, corner);
@@ -242,7 +242,7 @@ class Expansion {
     return measure_all();
   }
 
-  /// Of far points, the first towards the origin's nearest side.
+  /// Starts with a tetrahedron of far points, the first towards the origin's nearest side.
   bool start_tetrahedron() {
     const Vec3 along = dot(between_, between_) > 0 ? between_ : Vec3{1, 0, 0};
     std::array<ExpansionPoint, 4> p{support(along), support(-along), {}, {}};
@@ -325,7 +325,7 @@ class Expansion {
 
 bool expand_at_this_level(const PosedPolytope& a, const PosedPolytope& b, FastSurface& surface) {
   Expansion search(a, b, surface);
-  // Of few vertices the twelve points are not different ones.
+  // The twelve points are not different ones where vertices are few.
   const bool many = a.vertex_count() >= 16 && b.vertex_count() >= 16;
   if (many && search.run(Expansion::Start::icosahedron)) return true;
   return search.run(Expansion::Start::tetrahedron);

@@ -15,16 +15,16 @@ struct FastSurface {
   static constexpr std::size_t most_points = FacetSlots::most_corners;
   static constexpr std::size_t most_facets = FacetSlots::most_facets;
 
-  // Of points: a − b, each coordinate rounded once, and of which vertices.
+  // For points: a − b, each coordinate rounded once, and of which vertices.
   std::array<double, most_points> x, y, z;
   std::array<Index, most_points> on_a, on_b;
   Index points = 0;
 
   FacetSlots facets;
-  // Of facets, by their slots: the rounded cross product of two edges, outwards, and its product with a corner, with
-  // what rounding makes of such a product; the
-  // squared distance from the origin with the sign of the product, but for the last bits, which hold the number of the
-  // facet. Zero, and an infinite distance, of vacant slots and up to the next multiple of 8.
+  // For facets, by their slots: the rounded cross product of two edges, outwards, and its product with a corner, with
+  // what rounding makes of such a product; the squared distance from the origin with the sign of the product, but for
+  // the last bits, which hold the number of the facet. Zero, and an infinite distance, of vacant slots and up to the
+  // next multiple of 8.
   alignas(64) std::array<double, most_facets> normal_x;
   alignas(64) std::array<double, most_facets> normal_y;
   alignas(64) std::array<double, most_facets> normal_z;

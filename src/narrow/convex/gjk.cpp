@@ -112,7 +112,7 @@ class GjkWalk {
 
 namespace {
 
-/// From so many vertices on a walk along edges was measured to be faster than a scan.
+/// A walk along edges was measured to be faster than a scan from so many vertices on.
 constexpr Index least_walked = 8000;
 
 }  // namespace

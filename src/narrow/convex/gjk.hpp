@@ -10,8 +10,8 @@
 // The search in doubles. What it finds is a guess; nearest_certificate.hpp proves it, or exact arithmetic takes over.
 namespace toccata {
 
-/// Vertices of one shape by direction. Of large hulls by walking along edges, which changes no answer; where the walk
-/// begins is remembered, so that one thread may use it at a time.
+/// Vertices of one shape by direction. Large hulls are searched by walking along edges, which changes no answer; where
+/// the walk begins is remembered, so that one thread may use it at a time.
 class SupportSearch {
  public:
   SupportSearch(const PosedPolytope& shape, const SupportKernels& kernels, GjkSupport support = GjkSupport::automatic);

@@ -38,7 +38,7 @@ NearestFace on_triangle(const SimplexCorner& p, const SimplexCorner& r, const Si
   return {nearest, dot(nearest, nearest), height < 0 ? -normal : normal, p.bit | r.bit | q.bit};
 }
 
-/// Of the three faces at q, those that do not have the origin on their inner side are looked at.
+/// Those of the three faces at q are looked at that do not have the origin on their inner side.
 NearestFace on_tetrahedron(const std::array<SimplexCorner, 4>& corner) {
   const SimplexCorner& q = corner[3];
   const Vec3 to[3] = {corner[0].point - q.point, corner[1].point - q.point, corner[2].point - q.point};

@@ -11,17 +11,17 @@ namespace {
 
 Vec3 edge_of(const PosedPolytope& core) { return core.vertex(core.vertex_count() - 1) - core.vertex(0); }
 
-/// As NearestFeatures has them of each shape.
+/// The corners of one shape's feature, as NearestFeatures has them.
 using CornersOfFace = std::array<Index, 3>;
 
-/// Of a point or a segment: which of its vertices hold the point at the share of its edge. How many they are.
+/// Sets the vertices of a point or a segment that hold the point at the share of its edge. Returns how many they are.
 std::size_t set_ends(double share, CornersOfFace& ends) {
   const bool is_between = share > 0 && share < 1;
   ends = {share >= 1 ? 1U : 0U, is_between ? 1U : 0U, 0};
   return is_between ? 2 : 1;
 }
 
-/// Of points and segments: by the formula, without a search.
+/// The features of points and segments: by the formula, without a search.
 NearestFeatures of_segments(const PosedPolytope& a, const PosedPolytope& b) {
   const SegmentWeights at = nearest_weights_of_segments(a.vertex(0) - b.vertex(0), edge_of(a), edge_of(b));
   NearestFeatures features;
@@ -30,8 +30,8 @@ NearestFeatures of_segments(const PosedPolytope& a, const PosedPolytope& b) {
   return features;
 }
 
-/// Of a box beside a point: the corner, two ends of an edge, or three corners of a face around the foot. None where the
-/// point is inside.
+/// Sets the corners of a box beside a point: the corner, two ends of an edge, or three corners of a face around the
+/// foot. None where the point is inside.
 std::size_t set_corners(const Vec3& point, const PosedPolytope& box, CornersOfFace& corners) {
   const Vec3 origin = box.vertex(0), from = point - origin;
   Index near = 0;  // the corner from which the free edges start

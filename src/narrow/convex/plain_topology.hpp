@@ -8,10 +8,10 @@ namespace toccata {
 
 [[nodiscard]] HullTopology point_topology();
 
-/// Of the vertices 0 and 1.
+/// The topology of the vertices 0 and 1.
 [[nodiscard]] HullTopology segment_topology();
 
-/// Of a world triangle: as posed_polytope.hpp says where it has no area.
+/// The topology of a world triangle: as posed_polytope.hpp says where it has no area.
 [[nodiscard]] HullTopology triangle_topology(const Triangle& triangle);
 
 /// Vertices as numbered by `Box::corner`; faces: −x, +x, −y, +y, −z, +z.

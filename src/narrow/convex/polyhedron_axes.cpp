@@ -23,7 +23,7 @@
 // have it this is negative: so it is twice `bent` at most, and for that the least reach is lowered.
 //
 // A rounded normal is off by an angle (expanding_polytope.cpp has the bound); the reach along it is then off by that
-// angle times the extent of D. Of nearly parallel edges the angle is large. Then the pair may be left out, for a small
+// angle times the extent of D. The angle of nearly parallel edges is large. Then the pair may be left out, for a small
 // price: along the arc of A's edge, the reach is that of a polygon, D' seen along the edge. B's edge is one of its
 // sides, of length |e × f| / |e|. Without it, the least reach along the arc is attained at its ends, which are faces of
 // A, or where another edge of B crosses; and taking it away changes no reach by more than its length.

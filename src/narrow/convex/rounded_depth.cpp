@@ -43,7 +43,7 @@ Vec3 rounded_point(const HomogeneousVector& p, int exponent) {
   return {along(0), along(1), along(2)};
 }
 
-/// Of what is not positive, nothing.
+/// The doubles around a depth, 0 and 0 where it is not positive; nothing where its sign is not known.
 std::optional<DoubleBracket> bracket_above_zero(const BoundedNumber& depth) {
   if (depth.is_positive()) return bracket(depth);
   if (depth.is_negative() || is_exactly_zero(depth)) return DoubleBracket{0, 0};

@@ -36,7 +36,7 @@ HWY_INLINE Row each(const Function& function) {
 HWY_INLINE Row load(const double* from) {
   return each([&](std::size_t k) { return hn::LoadU(row_tag, from + k * row_lanes); });
 }
-/// Of three doubles, and 0.
+/// A row of three doubles, and 0.
 HWY_INLINE Row load_three(const Vec3& v) {
 #if HWY_TARGET <= HWY_AVX2
   return {{hn::MaskedLoad(hn::FirstN(row_tag, 3), row_tag, &v.x)}};
@@ -74,7 +74,7 @@ HWY_INLINE Row greater(const Row& u, const Row& v) {
   return each([&](std::size_t k) { return hn::Max(u.part[k], v.part[k]); });
 }
 
-/// Of which of the four something holds.
+/// For which of the four something holds.
 struct RowMask {
   hn::Mask<RowTag> part[row_parts];
 };
@@ -110,7 +110,7 @@ HWY_INLINE unsigned bits_of(const RowMask& mask) {
   return bits;
 }
 
-/// Of the first three the number j + 1 in place of the j-th.
+/// The row with the number j + 1 in place of the j-th, in the first three.
 HWY_INLINE Row next(const Row& row) {
 #if HWY_TARGET <= HWY_AVX2
   alignas(32) static constexpr std::int64_t order[4] = {1, 2, 0, 3};
@@ -124,7 +124,7 @@ HWY_INLINE Row next(const Row& row) {
 #endif
 }
 
-/// Of the first three.
+/// The sum of the first three.
 HWY_INLINE double sum_of_three(const Row& row) {
   const Row after = next(row);
   return hn::GetLane(((row + after) + next(after)).part[0]);

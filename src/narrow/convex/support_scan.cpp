@@ -94,7 +94,7 @@ double least_depth_at_this_level(const SupportScan& scan) {
   return sum != sum ? sum : hn::GetLane(hn::MinOfLanes(tag, least));
 }
 
-/// Of the 64 vertices from `first` on, those whose depth is not above the bound, as bits.
+/// Those of the 64 vertices from `first` on whose depth is not above the bound, as bits.
 HWY_INLINE std::uint64_t close_bits(const SupportScan& scan, Index first, const Vector& direction, const Vector& spread,
                                     Number bounds) {
   const Index end = std::min(first + 64, scan.padded_count);

@@ -6,7 +6,7 @@
 
 namespace toccata {
 
-/// Of the shape itself, without its radius; in the world.
+/// The vertices of the shape itself, without its radius; in the world.
 [[nodiscard]] inline std::vector<Vec3> vertices_of(const PosedPolytope& shape) {
   std::vector<Vec3> vertices;
   vertices.reserve(shape.vertex_count());

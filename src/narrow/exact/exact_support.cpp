@@ -22,7 +22,7 @@ Height height_of(const Vec3& direction, const Vec3& vertex) {
   return {dot(direction, vertex), 0x1p-50 * magnitude + (0x1p-1070 * size + 0x1p-1020)};
 }
 
-/// Those that may be the least. Nothing overflows, because the direction's coordinates are at most 1/4.
+/// The vertices that may be the least. Nothing overflows, because the direction's coordinates are at most 1/4.
 std::vector<Index> candidates(const PosedPolytope& shape, const Vec3& direction) {
   double bound = infinity;
   for (Index i = 0; i < shape.vertex_count(); ++i) {

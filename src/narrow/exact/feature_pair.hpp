@@ -43,7 +43,8 @@ class FeaturePair {
 
   enum class Inside { no, unknown, yes };
 
-  /// Of a plane: whether the nearest points are within the triangle, or within both edges, as far as doubles can tell.
+  /// For a pair that `is_plane`: whether the nearest points are within the triangle, or within both edges, as far as
+  /// doubles can tell.
   [[nodiscard]] Inside likely_inside() const;
 
   /// Finds the nearest points of the features' affine hulls; tells whether they certainly are inner points of both.
@@ -55,7 +56,7 @@ class FeaturePair {
   [[nodiscard]] BoundedVector on_a() const;
   [[nodiscard]] BoundedVector on_b() const;
 
-  /// Of a plane: the exact sign of how much farther than the feature a vertex is, along on_a − on_b.
+  /// For a pair that `is_plane`: the exact sign of how much farther than the feature a vertex is, along on_a − on_b.
   [[nodiscard]] Sign beyond_a(const Vec3& vertex_of_a) const { return height_sign({vertex_of_a, first_a_}); }
   [[nodiscard]] Sign beyond_b(const Vec3& vertex_of_b) const { return height_sign({first_b_, vertex_of_b}); }
 

@@ -42,8 +42,8 @@ struct SpreadFeatures {
 
 struct FormulaNumbers {
   FormulaNearest nearest;
-  /// A positive multiple of the features' exact difference, each coordinate off by the slack at most. Of a plane: its
-  /// normal, or the opposite.
+  /// A positive multiple of the features' exact difference, each coordinate off by the slack at most. For features that
+  /// span a plane it is the normal, or the opposite.
   Vec3 across;
   double slack = 0;
   bool is_turned = false;  ///< of a plane: the opposite
@@ -172,7 +172,7 @@ inline bool is_along_axis(const Vec3& v) {
   return Distance{gap - off, gap + off, on_a, on_b, Status::exact};
 }
 
-/// Of shapes with radii: the answer of `distance`, if the numbers are good enough for what is promised of it. They are
+/// The answer of `distance` for shapes with radii, if the numbers are good enough for what is promised of it. They are
 /// given by value, so that those of shapes without radii need no memory.
 [[nodiscard]] std::optional<Distance> offset_formula_distance(FormulaNearest nearest, double radius_a, double radius_b);
 

@@ -30,8 +30,8 @@ std::optional<NearestFeatures> features_of(const VertexPairs& simplex) {
   return NearestFeatures{a.vertex, b.vertex, a.count, b.count};
 }
 
-/// On which side of the planes through two features all other vertices have to be: of nearest features of shapes that
-/// are apart, beyond them; of a facet of shapes that overlap, behind it.
+/// The side of the planes through two features on which all other vertices have to be: beyond them for nearest features
+/// of shapes that are apart, behind it for a facet of shapes that overlap.
 enum class OthersAre { beyond, behind };
 
 /// What is known of all other vertices; a vertex is before a plane on whose wrong side it is.
@@ -153,7 +153,7 @@ std::optional<CertainNearest> certain_from(const SupportSearch& a, const Support
     LevelVertices level;
     const Verification found = verify(a, b, pair, others, level);
     if (found.others == OtherVertices::unknown) return {};
-    // Of a facet's points any will do.
+    // Any of a facet's points will do.
     if (found.others != OtherVertices::one_before)
       return certain(pair, level, others == OthersAre::behind ? OtherVertices::beyond : found.others);
     const std::optional<FeaturePair> nearer = nearer_pair(a.shape(), b.shape(), pair.features(), others, found);

@@ -39,7 +39,7 @@ struct CertainNearest {
 [[nodiscard]] std::optional<CertainNearest> certain_nearest_along(const SupportSearch& a, const SupportSearch& b,
                                                                   const Vec3& direction);
 
-/// Of two cores that overlap: proves that all vertices lie behind the plane through the features, or in it, and that
+/// For two cores that overlap: proves that all vertices lie behind the plane through the features, or in it, and that
 /// the origin's foot is an inner point of them, or of others that are reached by exchanging a few vertices. The plane
 /// is then one of the Minkowski difference's facets, and its distance no less than the depth.
 [[nodiscard]] std::optional<CertainNearest> certain_facet(const SupportSearch& a, const SupportSearch& b,

@@ -10,8 +10,8 @@
 namespace toccata {
 namespace {
 
-/// Of up to three vertices, in ascending order, each once; without branches that none could foresee. The rest of the
-/// three is left as 0.
+/// The distinct ones of up to three vertices, in ascending order, each once; without branches that none could foresee.
+/// The rest of the three is left as 0.
 DistinctVertices distinct_ascending(const std::array<Index, 4>& vertices, std::size_t size) {
   const Index x = vertices[0], y = size > 1 ? vertices[1] : x, z = size > 2 ? vertices[2] : x;
   const Index low = std::min(x, y), high = std::max(x, y);
@@ -65,7 +65,7 @@ bool NearestFormula::solve() {
   return solve_formula(spread, numbers_);
 }
 
-/// Of a plane: the exact sign of a height along `across`.
+/// For features spread by two edges: the exact sign of a height along `across`.
 Sign NearestFormula::height_sign(const Difference& vector) const {
   const Sign side = numbers_.is_turned ? Sign::negative : Sign::positive;
   return side * triple_product_sign(edge(0), edge(1), vector);

@@ -69,7 +69,7 @@ class NearestFormula {
   [[nodiscard]] std::optional<Distance> distance(double radius_a, double radius_b) const;
 
  private:
-  /// Of the edges that spread the features, the first of A before those of B.
+  /// One of the edges that spread the features, those of A before those of B.
   [[nodiscard]] Difference edge(std::size_t i) const {
     const std::size_t of_a = features_.count_a - 1;
     return i < of_a ? Difference{points_.a[i + 1], points_.a[0]} : Difference{points_.b[0], points_.b[i - of_a + 1]};

@@ -17,7 +17,7 @@ bool are_parallel(const PosedHalfSpace& a, const PosedHalfSpace& b) {
   return true;
 }
 
-/// Of parallel normals.
+/// Whether two half-spaces with parallel normals point the same way.
 bool point_the_same_way(const PosedHalfSpace& a, const PosedHalfSpace& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a.normal[axis] != 0) return (a.normal[axis] > 0) == (b.normal[axis] > 0);

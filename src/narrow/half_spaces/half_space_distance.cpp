@@ -73,7 +73,7 @@ Vec3 point_on_planes(const PosedHalfSpace& a, const PosedHalfSpace& b) {
   return nearest_doubles(from + (height * nm / determinant) * n - (height * nn / determinant) * m);
 }
 
-/// Of two half-spaces that meet; the same for both orders.
+/// A common point of two half-spaces that meet; the same for both orders.
 Vec3 common_point(const PosedHalfSpace& a, const PosedHalfSpace& b) {
   if (lexicographically_less(b.point, a.point)) return common_point(b, a);
   if (height_sign(b, a.point) != Sign::positive) return a.point;

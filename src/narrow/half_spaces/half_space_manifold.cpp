@@ -91,7 +91,7 @@ Manifold four_of(const std::vector<ManifoldPoint>& points, const Vec3& normal) {
   return result;
 }
 
-/// Of shapes of plain sizes that meet.
+/// The manifold of shapes of plain sizes that meet.
 Manifold of_plain_sizes(const PosedPolytope& a, Index lowest, const PosedHalfSpace& b) {
   const Vec3 normal = unit_normal(b);
   const std::vector<Index> corners = facing_corners(a, lowest, normal);

@@ -9,7 +9,7 @@ Sign rise_over_plane(const Plane& plane, const Vec3& p, const Vec3& q) {
   return triple_product_sign({plane.b(), plane.a()}, {plane.c(), plane.a()}, {q, p});
 }
 
-/// Of vertices that all lie on one side; of equally near ones the lexicographically least.
+/// The nearest of vertices that all lie on one side; of equally near ones the lexicographically least.
 Vec3 nearest_vertex(const PosedPolytope& a, const Plane& plane, Sign side) {
   Vec3 nearest = a.vertex(0);
   for (Index i = 1; i < a.vertex_count(); ++i) {

@@ -84,7 +84,7 @@ struct BesideBox {
     return static_cast<Index>(at[0] > 0) | static_cast<Index>(at[1] > 0) << 1U | static_cast<Index>(at[2] > 0) << 2U;
   }
   [[nodiscard]] HWY_INLINE bool is_before(std::size_t axis) const { return beyond[axis] < 0; }
-  /// Of the nearest point, from the nearest corner along an edge.
+  /// The share of an edge's length at which the nearest point is, from the nearest corner on.
   [[nodiscard]] HWY_INLINE double share(std::size_t axis) const {
     return is_before(axis) ? -beyond[axis] / (2 * half[axis]) : 0;
   }
@@ -108,7 +108,7 @@ HWY_INLINE BesideBox beside(const OneVector& local, const OneVector& half, doubl
   return b;
 }
 
-/// From the nearest point of the box, in the world.
+/// The way from the nearest point of the box, in the world.
 HWY_INLINE OneVector way_from(const OneBlock& block, const BesideBox& b) {
   ThreeNumbers outside;
   for (std::size_t k = 0; k < 3; ++k) outside[k] = b.is_before(k) ? 0 : std::copysign(b.beyond[k], b.at[k]);
@@ -209,8 +209,8 @@ HWY_INLINE OneVector outward_normal(const OneBlock& block, std::size_t axis, dou
   return (numbers_of(block.local(normal))[axis] > 0) == (side > 0) ? normal : negative(normal);
 }
 
-/// Of a point, through the face that is seen to be the nearest; the other five are farther by more than the frame is
-/// off.
+/// The way of a point out of the box, through the face that is seen to be the nearest; the other five are farther by
+/// more than the frame is off.
 HWY_NOINLINE WayOut way_out(const OneBlock& block, const BesideBox& b, const OneVector& point,
                             const OneVector& from_centre) {
   const std::size_t k = b.across;

@@ -25,7 +25,7 @@ struct SegmentWeights {
   double t = 0;
 };
 
-/// Of the nearest points p + s · u and q + t · v, given the difference p − q; section 5.1.9.
+/// The weights of the nearest points p + s · u and q + t · v, given the difference p − q; section 5.1.9.
 inline SegmentWeights nearest_weights_of_segments(const Vec3& difference, const Vec3& u, const Vec3& v) {
   const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
   const double along_u = dot(u, difference), along_v = dot(v, difference);

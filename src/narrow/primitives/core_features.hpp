@@ -148,7 +148,7 @@ HWY_INLINE PlainGap<edges> plain_gap(const CoreFeatures<edges, ways>& f) {
   return gap;
 }
 
-/// Of coordinates so small that what products are off by underflows, which levels do differently, nothing is left.
+/// The vector without coordinates so small that what products are off by underflows, which levels do differently.
 HWY_INLINE OneVector without_least(const OneVector& v) {
   return each(
       [](const auto& c) HWY_ATTR {
@@ -158,7 +158,7 @@ HWY_INLINE OneVector without_least(const OneVector& v) {
       v);
 }
 
-/// With twice the digits.
+/// The gap with twice the digits.
 struct PreciseGap {
   OneVector apart;  ///< on_a − on_b, each coordinate nearly rounded once
   LongRoot length;  ///< of that
@@ -183,8 +183,8 @@ HWY_INLINE bool correct(const PlainEdges<edges>& plain, LongVector& x) {
   return is_small;
 }
 
-/// Of features that `plain_gap` has confirmed. The sums lose less than 2^-101 of the size, the corrections 2^-98; the
-/// root 2^-99 of itself. Products with the edges, over their lengths, are off by less than 8u |x|.
+/// The gap of features that `plain_gap` has confirmed. The sums lose less than 2^-101 of the size, the corrections
+/// 2^-98; the root 2^-99 of itself. Products with the edges, over their lengths, are off by less than 8u |x|.
 template <std::size_t edges, std::size_t ways>
 HWY_INLINE PreciseGap precise_gap(const CoreFeatures<edges, ways>& f, const PlainGap<edges>& plain) {
   LongVector x = exact_difference(f.on_a, f.on_b);

@@ -31,7 +31,7 @@ Distance of_point(const PosedPolytope& a, const PosedPolytope& b) {
   }
 }
 
-/// Of a ball or a capsule and another or a box, by the overload of `ask` for just these; else `none`.
+/// The answer for a ball or a capsule and another or a box, by the overload of `ask` for just these; else `none`.
 template <class Answer, class Ask>
 Answer asked_of_round(const PosedPolytope& a, const PosedPolytope& b, const Ask& ask, const Answer& none) {
   const bool a_is_round = a.vertex_count() <= 2, b_is_round = b.vertex_count() <= 2;

@@ -84,7 +84,7 @@ HWY_INLINE bool is_along_an_axis(const OneVector& v) {
   return (first_of(x_of(v)) != 0) + (first_of(y_of(v)) != 0) + (first_of(z_of(v)) != 0) == 1;
 }
 
-/// Of a vector along an axis, of length 1 to the bit.
+/// The direction of a vector along an axis, of length 1 to the bit.
 HWY_INLINE OneVector unit_along_axis(const OneVector& v) {
   const auto sign = [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : x; };
   return in_one(sign(first_of(x_of(v))), sign(first_of(y_of(v))), sign(first_of(z_of(v))));
@@ -120,7 +120,7 @@ HWY_INLINE Penetration depth_of(const OffsetCorePair<edges, ways>& cores) {
   return result;
 }
 
-/// Of shapes that are apart: neighbouring doubles around their distance.
+/// The distance of shapes that are apart: neighbouring doubles around it.
 template <std::size_t edges, std::size_t ways>
 HWY_INLINE Distance distance_of(const OffsetCorePair<edges, ways>& cores) {
   const PlainContact<edges> contact = plain_contact(cores);
@@ -151,7 +151,7 @@ HWY_INLINE Manifold manifold_of(const OffsetCorePair<edges, ways>& cores) {
   result.count = 1;
   store(normal, result.normal);
   ManifoldPoint& point = result.points[0];
-  // Of two balls the order does not show.
+  // The order of two balls does not show.
   store(plus(scaled(0.5, on_a), scaled(0.5, on_b)), point.position);
   point.depth = (cores.radius_a + cores.radius_b) - length;
   point.on_a = cores.feature_a;
@@ -163,7 +163,7 @@ HWY_INLINE Manifold manifold_of(const OffsetCorePair<edges, ways>& cores) {
 
 constexpr ConvexFeature only_vertex{ConvexFeature::Kind::vertex, 0}, only_edge{ConvexFeature::Kind::edge, 0};
 
-/// Of a segment, at the share of its length; without a branch.
+/// The feature of a segment at the share of its length; without a branch.
 HWY_INLINE ConvexFeature feature_at(double share) {
   const bool is_within = (share > 0) & (share < 1);
   return {is_within ? ConvexFeature::Kind::edge : ConvexFeature::Kind::vertex,
@@ -186,7 +186,7 @@ struct OneRod {
 HWY_INLINE OneBall in_world(const PosedSphere& s) { return {in_one(s.centre), s.radius}; }
 HWY_INLINE OneRod in_world(const PosedCapsule& c) { return {in_one(c.start), in_one(c.end), c.radius}; }
 
-/// Of a pose that is known to be rigid.
+/// The shape in the world, by a pose that is known to be rigid.
 HWY_INLINE OneBall in_world(const Sphere& shape, const Pose& pose) {
   return {placed_in_one(pose, shape.centre()), shape.radius()};
 }

@@ -27,7 +27,7 @@ HWY_INLINE FrameContact frame_contact(const BesideBox& at, double least_squared,
   return {is_apart, at.beyond[at.across] > at.error};
 }
 
-/// Of shapes that are apart: the way across the gap, rounded.
+/// For shapes that are apart: the way across the gap, rounded.
 HWY_INLINE Penetration across_gap(const OneVector& on_a, double radius_a, const OneBlock& b, const BesideBox& at) {
   const OneVector way = way_from(b, at), direction = scaled(-1 / std::sqrt(first_of(dot(way, way))), way);
   Penetration result;
@@ -59,7 +59,7 @@ HWY_INLINE bool is_thick(const OneBlock& b) {
   return half[0] > 4 * b.slack && half[1] > 4 * b.slack && half[2] > 4 * b.slack;
 }
 
-// Of a core that does not reach the box's. Called, and not compiled again into each that asks.
+// The answers for a core that does not reach the box's. These are called, and not compiled again into each that asks.
 
 template <class Core, class Beside>
 HWY_NOINLINE Penetration depth_outside(const Core& a, const OneBlock& b, const Beside& beside) {

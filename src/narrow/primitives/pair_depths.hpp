@@ -20,7 +20,7 @@ namespace toccata {
 [[nodiscard]] Penetration formula_depth(const PosedSphere& a, const PosedCapsule& b);
 [[nodiscard]] Penetration formula_depth(const PosedCapsule& a, const PosedCapsule& b);
 
-/// Of a box, grown or not.
+/// The same for a box, grown or not.
 [[nodiscard]] Penetration formula_depth(const PosedSphere& a, const PosedPolytope& box);
 [[nodiscard]] Penetration formula_depth(const PosedCapsule& a, const PosedPolytope& box);
 
@@ -30,7 +30,7 @@ namespace toccata {
 [[nodiscard]] Manifold formula_manifold(const PosedSphere& a, const PosedPolytope& box);
 [[nodiscard]] Manifold formula_manifold(const PosedCapsule& a, const PosedPolytope& box);
 
-/// Of a box and what is apart from it, however little.
+/// The distance of a box and what is apart from it, however little.
 [[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedPolytope& box);
 [[nodiscard]] Distance close_formula_distance(const PosedCapsule& a, const PosedPolytope& box);
 [[nodiscard]] Distance close_formula_distance(const PosedSphere& a, const PosedBox& b);

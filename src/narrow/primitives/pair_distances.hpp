@@ -45,7 +45,7 @@ struct DistanceKernels {
   DistanceKernel capsule_capsule = nullptr;
 };
 
-/// Those of the SIMD level in use.
+/// The kernels of the SIMD level in use.
 [[nodiscard]] DistanceKernels distance_kernels();
 
 }  // namespace toccata

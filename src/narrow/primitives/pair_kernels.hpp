@@ -26,7 +26,7 @@ struct PairKernels {
   PairKernel box_box = nullptr;
 };
 
-/// Those of the SIMD level in use.
+/// The kernels of the SIMD level in use.
 [[nodiscard]] PairKernels pair_kernels();
 
 }  // namespace toccata

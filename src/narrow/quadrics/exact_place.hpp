@@ -25,7 +25,7 @@ struct UnitPlace {
 
 [[nodiscard]] UnitPlace unit_place(const ExactPlace& place);
 
-// Of the least height of a shape above the plane through the point; the normal need not be a unit vector.
+// The sign of the least height of a shape above the plane through the point; the normal need not be a unit vector.
 [[nodiscard]] Sign exact_sign_of_height(const PosedQuadric& shape, const Vec3& point, const Vec3& normal);
 [[nodiscard]] Sign exact_sign_of_height(const PosedQuadric& shape, const Vec3& point, const IntegerVector& normal);
 [[nodiscard]] Sign exact_sign_of_height(const PosedPolytope& shape, const Vec3& point, const IntegerVector& normal);

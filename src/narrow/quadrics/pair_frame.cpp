@@ -14,7 +14,7 @@ double reach_of(const PosedQuadric& shape) {
   return largest;
 }
 
-/// Of a hull only its own box is looked at.
+/// How far a shape reaches from a point. Only the own box of a hull is looked at.
 double reach_from(const PosedPolytope& shape, const Vec3& origin) {
   double largest = 0;
   if (shape.in_world()) {

@@ -42,7 +42,7 @@ class PlainBody {
   [[nodiscard]] bool grown(Index generator) const { return columns_ > 0 && !(has_tip_ && generator == 1); }
   /// The last generator of a quadric is a point.
   [[nodiscard]] bool has_tip() const { return has_tip_; }
-  /// Of a quadric.
+  /// The kind of a quadric; none for a polytope.
   [[nodiscard]] const std::optional<PosedQuadric::Kind>& quadric_kind() const { return kind_; }
 
   // In the pair's frame.

@@ -17,15 +17,15 @@ class QuadricBody : public PlainBody {
 
   [[nodiscard]] BoundedVector centre(Index generator) const;
   [[nodiscard]] const BoundedVector& column(std::size_t j) const { return column_[j]; }
-  /// Of a quadric: the images of its half axes, of the radius twice and the half height.
+  /// For a quadric: the images of its half axes, of the radius twice and the half height.
   [[nodiscard]] const std::array<BoundedVector, 3>& axes() const { return axes_; }
   /// The body of a quadric, moved.
   [[nodiscard]] QuadricBody moved(const BoundedVector& by) const;
   /// The body of a quadric, made smaller around its middle by a part of its size.
   [[nodiscard]] QuadricBody made_smaller(double part) const;
-  /// Of a quadric: the map that makes it as long as it is wide, rounded.
+  /// For a quadric: the map that makes it as long as it is wide, rounded.
   [[nodiscard]] Mat3 roundness() const;
-  /// Of a polytope, of the first few vertices.
+  /// The middle of a quadric, or of the first few vertices of a polytope.
   [[nodiscard]] BoundedVector middle_point() const { return hull_ == nullptr ? middle_ : middle_of_vertices(); }
 
  private:

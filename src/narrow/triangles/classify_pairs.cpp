@@ -53,7 +53,7 @@ HWY_INLINE Number row_times(PoseNumbers row, double offset, const Vector& v) {
   return hn::Add(hn::Add(xy, hn::Mul(hn::Set(tag, row[2]), v.z)), hn::Set(tag, offset));
 }
 
-/// As `transform` does, and put back in place.
+/// The corner posed as `transform` does it, and put back in its place.
 HWY_INLINE Vector posed(TrianglePairBlock::Corners& corners, std::size_t corner, std::size_t lane, PoseNumbers pose) {
   double* x = lanes_of(corners, corner, 0) + lane;
   double* y = lanes_of(corners, corner, 1) + lane;
@@ -211,8 +211,8 @@ HWY_INLINE Mask stands_on_shared(const Shared& shared, const Heights& h, Number 
   return hn::And(hn::AndNot(all, some), hn::Or(all_above, all_below));
 }
 
-/// Of a triangle that shares one corner and has the others certainly on two sides of the other's plane: whether the one
-/// after the shared corner is above.
+/// For a triangle that shares one corner and has the others certainly on two sides of the other's plane: whether the
+/// one after the shared corner is above.
 struct Fan {
   Mask known, next_above;
 };
@@ -242,7 +242,7 @@ HWY_INLINE std::uint64_t bits(const Mask& mask) { return bits_of(tag, mask); }
 
 HWY_INLINE std::uint64_t bits(const CornerSides& s) { return bits(s.p) | bits(s.q) << 8U | bits(s.r) << 16U; }
 
-/// Of as many lanes as a vector has, from bit 0 on.
+/// The verdicts of as many lanes as a vector has, from bit 0 on.
 struct LaneVerdicts {
   std::uint64_t intersection = 0, unknown = 0, signs = 0;
 };

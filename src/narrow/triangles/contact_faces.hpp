@@ -24,7 +24,7 @@ struct ContactFace {
 /// The face around the vertex farthest along the direction that turns most towards it.
 [[nodiscard]] ContactFace facing_face(const PosedPolytope& shape, const Vec3& direction);
 
-/// −1 when the pose mirrors, which turns every face round; else 1. Of a matrix of any size.
+/// −1 when the pose mirrors, which turns every face round; else 1. The matrix may be of any size.
 [[nodiscard]] double turn_of_faces(const Mat3& linear);
 
 /// The half-edge that stands for an edge, whichever of its two faces it was reached from.

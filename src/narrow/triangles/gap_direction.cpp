@@ -8,7 +8,7 @@
 namespace toccata {
 namespace {
 
-/// Of a point of a to one of b.
+/// The way from a point of a to one of b.
 Vec3 difference(const Triangle& a, const Triangle& b, const TriangleGaps::Points& points) {
   const int features = static_cast<int>(points.features), i = features % 3;
   const double s = points.share, t = points.other_share;

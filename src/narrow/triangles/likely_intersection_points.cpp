@@ -22,7 +22,7 @@ WordVector exact_way(const Vec3& from, const Vec3& to) {
   return {exact_difference(to.x, from.x), exact_difference(to.y, from.y), exact_difference(to.z, from.z)};
 }
 
-/// Of the rounded components.
+/// The magnitudes of the rounded components.
 Vec3 magnitudes(const WordVector& v) { return {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)}; }
 
 DoubleWord dot(const WordVector& u, const WordVector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }

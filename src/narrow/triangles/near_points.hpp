@@ -1,7 +1,7 @@
 // Near points of two cores by closed formulas, and what is proved of them: docs/design/primitive-distances.md.
 // After C. Ericson, "Real-Time Collision Detection", 2005, sections 5.1.2 to 5.1.9; the proofs are ours.
-// Of vectors V, one in each lane, with numbers N and masks M: of many pairs, or of one (one_lane.hpp). Included once
-// for every SIMD level, like math/lanes.hpp.
+// The formulas are for vectors V, one in each lane, with numbers N and masks M: of many pairs, or of one
+// (one_lane.hpp). Included once for every SIMD level, like math/lanes.hpp.
 #if defined(TOCCATA_NARROW_NEAR_POINTS_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef TOCCATA_NARROW_NEAR_POINTS_HPP
 #undef TOCCATA_NARROW_NEAR_POINTS_HPP

@@ -1,6 +1,6 @@
 // Distances of cores grown by radii, from their near points: docs/design/primitive-distances.md.
-// Of vectors V, one in each lane, with numbers N and masks M: of many pairs, or of one (one_lane.hpp). Included once
-// for every SIMD level, like math/lanes.hpp.
+// The formulas are for vectors V, one in each lane, with numbers N and masks M: of many pairs, or of one
+// (one_lane.hpp). Included once for every SIMD level, like math/lanes.hpp.
 #if defined(TOCCATA_NARROW_OFFSET_CORES_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef TOCCATA_NARROW_OFFSET_CORES_HPP
 #undef TOCCATA_NARROW_OFFSET_CORES_HPP
@@ -17,7 +17,7 @@ namespace toccata {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Of the interval to the upper end: less than 10⁻¹².
+/// The most that the width of an interval may be of its upper end: less than 10⁻¹².
 constexpr double most_relative_width = 0.99e-12;
 
 /// Two cores grown by their radii.
@@ -61,7 +61,7 @@ struct ReachedEnds {
   V on_a, on_b;
 };
 
-/// Of cores that are apart.
+/// The ends of the way between shapes whose cores are apart.
 template <class V>
 HWY_INLINE ReachedEnds<V> ends_of(const NearPoints<V>& near, const Reached<V>& reached, const NumberOf<V>& radius_a,
                                   const NumberOf<V>& radius_b) {
@@ -69,7 +69,7 @@ HWY_INLINE ReachedEnds<V> ends_of(const NearPoints<V>& near, const Reached<V>& r
           plus(near.on_b, times(hn::Mul(radius_b, reached.inverse), near.apart))};
 }
 
-/// Of cores that meet: it divides the way as the radii do.
+/// A common point of shapes that meet: it divides the way between the cores as the radii do.
 template <class V>
 HWY_INLINE V common_point(const NearPoints<V>& near, const Reached<V>& reached, const NumberOf<V>& radius_a) {
   return minus(near.on_a, times(hn::Div(radius_a, reached.reach), near.apart));

@@ -20,7 +20,7 @@ struct PassingHit {
 
 [[nodiscard]] PassingHit hit_of_passing(const PassingRay& passing);
 
-/// Of several side by side; `hits` is as long.
+/// The same for several, side by side; `hits` is as long.
 void hits_of_passing(std::span<const PassingRay> rays, std::span<PassingHit> hits);
 
 }  // namespace toccata

@@ -22,8 +22,8 @@ struct alignas(64) PointBounds {
   std::array<double, TriangleBlock::lanes> upper;
 };
 
-/// Of the triangles at their place in the world, of which `triangles` has the corners in their own frame. The same bits
-/// at every SIMD level.
+/// Bounds the distances of the point from the triangles at their place in the world, of which `triangles` has the
+/// corners in their own frame. The same bits at every SIMD level.
 void bound(const Vec3& point, const Pose& pose, const TriangleBlock& triangles, PointBounds& bounds);
 
 /// How far each of them is from a point, proved to what is promised of distances.
@@ -36,8 +36,8 @@ struct alignas(64) PointDistances {
   [[nodiscard]] Vec3 point(std::size_t lane) const { return {nearest[0][lane], nearest[1][lane], nearest[2][lane]}; }
 };
 
-/// Of triangles in the world. The same bits at every SIMD level, and as `distance` of the point and the triangle as
-/// convex shapes.
+/// Measures the distances of the point from triangles in the world. The same bits at every SIMD level, and as
+/// `distance` of the point and the triangle as convex shapes.
 void measure(const Vec3& point, const TriangleBlock& triangles, PointDistances& distances);
 
 }  // namespace toccata

@@ -123,7 +123,7 @@ RayTime exact_time(const PreparedRay& ray, const Triangle& target) {
   return {cast.hit, cast.lower, cast.upper, true};
 }
 
-/// Of a triangle with area, and edges that are neither tiny nor huge.
+/// The unit normal of a triangle with area and edges that are neither tiny nor huge.
 Vec3 unit_normal(const Triangle& t) {
   const Vec3 e = t[1] - t[0], f = t[2] - t[0];
   Vec3 normal = cross(e, f);

@@ -85,7 +85,7 @@ double greatest_of(const Direction<DoubleWord>& d) {
   return std::max({std::abs(d.x.high), std::abs(d.y.high), std::abs(d.z.high)});
 }
 
-/// Of a size near 1: solid angles see directions alone.
+/// The direction scaled to a size near 1: solid angles see directions alone.
 Direction<DoubleWord> near_unit(const Direction<DoubleWord>& d) {
   const int exponent = -std::ilogb(greatest_of(d));
   const auto scaled = [exponent](const DoubleWord& x) {

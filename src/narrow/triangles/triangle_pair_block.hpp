@@ -14,14 +14,14 @@ namespace toccata {
 /// them. Lanes from `count` on may hold any numbers, but must hold some: value-initialise a block before its first use.
 struct alignas(64) TrianglePairBlock {
   static constexpr std::size_t lanes = 8;
-  /// By corner, axis and lane.
+  /// Coordinates by corner, axis and lane.
   using Corners = std::array<std::array<std::array<double, lanes>, 3>, 3>;
 
   Corners a;  ///< in each mesh's own frame; in the world after `classify_pairs`
   Corners b;
   std::size_t count = 0;  ///< how many lanes hold pairs
 
-  // Written by `classify_pairs`. Of the verdicts bit i is for lane i; a pair with neither is certainly apart.
+  // Written by `classify_pairs`. Bit i of a verdict is for lane i; a pair with neither is certainly apart.
   std::uint8_t intersection = 0;  ///< certainly have a point in common
   std::uint8_t unknown = 0;       ///< plain arithmetic cannot tell: ask `overlap` or `intersect`
   std::uint64_t signs = 0;        ///< for `intersection_in`

@@ -147,7 +147,7 @@ ShapeHit at_start(const Vec3& point) {
   return hit;
 }
 
-// Of surfaces that meet at the start: two items that do.
+// Two items that meet, of surfaces that meet at the start.
 
 template <class Shape>
 std::optional<ItemPair> items_at_start(const PosedMesh& a, const Shape& b, SearchScratch&) {
@@ -184,7 +184,7 @@ std::optional<ShapeHit> surfaces_at_start(const A& a, const B& b, SearchScratch&
   return ShapeHit{*found, items->first, items->second, face_of(a, items->first), face_of(b, items->second)};
 }
 
-// Of sides whose surfaces do not meet at the start: a solid that holds the other, or a part of it.
+// The hit of sides whose surfaces do not meet at the start: one is a solid that holds the other, or a part of it.
 
 std::optional<ShapeHit> held_at_start(const PosedTriangles& a, const PosedTriangles& b) {
   const auto part = inner_part(a, b);

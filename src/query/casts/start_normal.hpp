@@ -9,9 +9,9 @@
 
 namespace toccata {
 
-/// Of two convex sets that meet where they are: of length 1, from B to A, across what they touch in, and the way in
-/// which they part soonest where they are deeper in each other. Zero where no such direction is told, as of a quadric
-/// that is undecided. One of them is no half-space.
+/// The normal of two convex sets that meet where they are: of length 1, from B to A, across what they touch in, and the
+/// way in which they part soonest where they are deeper in each other. Zero where no such direction is told, as of a
+/// quadric that is undecided. One of them is no half-space.
 template <PosedConvexSet A, PosedConvexSet B>
 [[nodiscard]] Vec3 start_normal(const A& a, const B& b) {
   // A difference leaves no −0 behind, as a sign would.

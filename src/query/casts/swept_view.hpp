@@ -22,7 +22,7 @@ class SweptView {
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedHalfSpace& b);
   SweptView(const PosedHalfSpace& a, const Vec3& motion, const PosedMesh& b);
 
-  /// Of a triangle of a mesh on `side`, and boxes of the other mesh that are small beside it: its normal and those of
+  /// For a triangle of a mesh on `side`, and boxes of the other mesh that are small beside it: its normal and those of
   /// its sides in its plane.
   SweptView(const PosedMesh& a, const Vec3& motion, const PosedMesh& b, std::size_t side, Index triangle);
 

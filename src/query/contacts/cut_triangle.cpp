@@ -15,7 +15,7 @@ constexpr double least_share_of_size = 0x1p-36, least_share_of_area = 0x1p-48;
 
 double squared_size(const Vec3& v) { return dot(v, v); }
 
-/// Of what lies over a convex polygon in its plane, seen against the normal.
+/// Whether a point lies over a convex polygon in its plane, seen against the normal.
 bool is_over(const Vec3& p, std::span<const Vec3> outline, const Vec3& normal) {
   bool is_left = false, is_right = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -45,7 +45,7 @@ struct DistanceBounds {
   Vec3 bend{};  ///< how much the surface's normals differ from the height's direction along each axis of the cell
 };
 
-/// By the distance from the middle alone.
+/// Bounds by the distance from the middle alone.
 [[nodiscard]] DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place& middle,
                                                 const DepthCell& cell, double slack);
 

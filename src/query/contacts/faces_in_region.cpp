@@ -34,7 +34,7 @@ void require_region(const Ball& ball) {
                     ball.centre.x, ball.centre.y, ball.centre.z, ball.radius));
 }
 
-/// As a hull, because a centre and half sizes would be rounded.
+/// The box as a hull, because a centre and half sizes would be rounded.
 ConvexHull hull_of(const Aabb& box) {
   std::array<Vec3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i)

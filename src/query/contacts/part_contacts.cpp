@@ -21,7 +21,7 @@ bool is_triangle(const PosedPolytope& shape) {
 
 Triangle world_triangle_of(const PosedPolytope& shape) { return {{shape.vertex(0), shape.vertex(1), shape.vertex(2)}}; }
 
-/// Of one part of A and one of B; they lie in the scratch.
+/// The contacts of one part of A and one of B; they lie in the scratch.
 struct PartContacts {
   std::span<Contact> all;
 };

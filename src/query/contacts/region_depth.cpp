@@ -14,7 +14,7 @@
 namespace toccata {
 namespace {
 
-/// Of equal ones the first in space, so that the order of the solids does not show.
+/// Whether p is deeper; of equal ones, whether it is the first in space, so that the order of the solids does not show.
 bool is_deeper(const DeepestPoint& p, const DeepestPoint& q) {
   if (p.depth != q.depth) return p.depth > q.depth;
   return lexicographically_less(p.point, q.point);
@@ -44,7 +44,7 @@ struct WaitingCell {
   Vec3 upper;
   Vec3 change;  ///< how much the sum of the distances may change along each axis
 
-  /// As a heap has it: the greatest bound first, then the one that came first.
+  /// The order of a heap: the greatest bound first, then the one that came first.
   friend bool operator<(const WaitingCell& x, const WaitingCell& y) {
     return std::tie(x.bound, y.number) < std::tie(y.bound, x.number);
   }

@@ -8,7 +8,7 @@
 
 namespace toccata {
 
-/// Of a triangle of whatever size.
+/// The normal of a triangle of whatever size.
 [[nodiscard]] Vec3 normal_of_any_size(const Triangle& t);
 
 /// A point of two closed solids and the nearest points of both surfaces. `depth` is not more than the sum of their
@@ -42,7 +42,7 @@ class DepthSide {
 
   [[nodiscard]] const PosedMesh& mesh() const { return mesh_; }
 
-  /// Of a triangle, out of the solid.
+  /// The normal of a triangle, out of the solid.
   [[nodiscard]] Vec3 outward_normal(Index triangle) const;
 
  private:
@@ -60,7 +60,7 @@ class CommonDepth {
   CommonDepth(const Model& a, const Model& b, const PairQuery& query, const PosedMeshPair& pair, double turn_a,
               double turn_b, SearchScratch& scratch);
 
-  /// Of the common points in the box. `of_a` are vertices of A inside B, `of_b` such of B inside A.
+  /// How deep the common points in the box are. `of_a` are vertices of A inside B, `of_b` such of B inside A.
   [[nodiscard]] FoundDepth within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const;
 
  private:

@@ -14,13 +14,13 @@ struct RegionMembers {
   std::vector<Index> pieces_of_b;
 };
 
-/// Of two meshes, the contacts whose triangles are connected through vertices of both. The region with the least
-/// contact comes first.
+/// Collects the contacts of two meshes whose triangles are connected through vertices of both. The region with the
+/// least contact comes first.
 [[nodiscard]] std::vector<RegionMembers> regions_of_surfaces(std::span<const Contact> contacts, VertexGraph& a,
                                                              VertexGraph& b);
 
-/// Of two solids, also those that a part of one's surface within the other joins: through vertices inside, or along a
-/// straight way within a triangle.
+/// The same for two solids, where a part of one's surface within the other also joins contacts: through vertices
+/// inside, or along a straight way within a triangle.
 [[nodiscard]] std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, VertexGraph& a,
                                                            const SurfaceWithin& a_within, VertexGraph& b,
                                                            const SurfaceWithin& b_within);

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of each triangle, which vertices have a twin in the other; bit i for vertex i.
+/// Which vertices of each triangle have a twin in the other; bit i for vertex i.
 struct SharedVertices {
   unsigned of_a = 0;
   unsigned of_b = 0;

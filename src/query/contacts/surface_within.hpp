@@ -36,7 +36,7 @@ class VertexGraph {
   std::unordered_map<Vec3, Index, Hash> numbers_;
 };
 
-/// Of two models in contact, the one whose triangles are meant.
+/// The one of two models in contact whose triangles are meant.
 enum class ContactSide { a, b };
 
 [[nodiscard]] Index triangle_of(const Contact& contact, ContactSide side);

@@ -218,8 +218,8 @@ std::optional<std::vector<Vec3>> times_power_of_two(std::span<const Vec3> points
   return result;
 }
 
-/// Of how many doublings a mesh is too large or too small to be measured quickly; 0 where it is neither, or so small
-/// that lengths would be rounded.
+/// How many doublings a mesh is too large, or if negative too small, to be measured quickly; 0 where it is neither, or
+/// so small that lengths would be rounded.
 int exponent_far_from_one(const MeshHealth& health) {
   constexpr int near_one = 100, least = -900;
   const double largest = std::fmax(largest_magnitude(health.lower), largest_magnitude(health.upper));
@@ -245,7 +245,7 @@ std::optional<ConvexParts> enlarged(const ConvexParts& parts, int exponent) {
   return result;
 }
 
-/// By a copy of about size 1: queries about it are quick, where the squares of tiny and huge numbers need exact
+/// Decomposes a copy of about size 1: queries about it are quick, where the squares of tiny and huge numbers need exact
 /// arithmetic. Nothing where the copy would be rounded.
 std::optional<ConvexParts> decomposed_near_one(const TriangleMesh& mesh, int exponent, DecompositionOptions options) {
   auto scaled = times_power_of_two(mesh.vertices(), -exponent);

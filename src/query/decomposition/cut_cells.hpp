@@ -28,8 +28,8 @@ struct CellContent {
   std::vector<Index> triangles;  ///< that have more than their border in the cell
 };
 
-/// Of each node that is a cell, by its number; of others nothing. The union of the hulls contains the solid and its
-/// surface.
+/// The content of each node that is a cell, by its number; nothing for other nodes. The union of the hulls contains the
+/// solid and its surface.
 [[nodiscard]] std::vector<CellContent> cell_contents(const Model& solid, const CutTree& tree);
 
 }  // namespace toccata

@@ -52,7 +52,7 @@ bool is_deep(std::span<const Vec2> polygon, const Vec2& p, double error) {
   return polygon.size() > 2;
 }
 
-/// Of corners in one plane.
+/// Appends the outermost of corners in one plane.
 void append_outermost(std::span<const RationalPoint* const> corners, const CutPlane& plane,
                       std::vector<RationalPoint>& result) {
   const Vec3 normal = nearest_doubles(plane.normal());

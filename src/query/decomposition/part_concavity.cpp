@@ -112,7 +112,7 @@ class ConcavitySearch {
   }
 
   /// The box around the hull, in six: along each order of axes from its lower corner to its upper (H. Freudenthal,
-  /// 1942). Of many faces each would be a region, where one is enough for what lies deep inside the solid.
+  /// 1942). Each of many faces would be a region, where one is enough for what lies deep inside the solid.
   void start_at_box(const ConvexHull& hull) {
     Aabb box;
     for (Index v = 0; v < hull.vertex_count(); ++v) box = merge(box, q_.frame.local(hull.vertex(v)));

@@ -43,7 +43,7 @@ std::vector<Vec3> outline_of(const std::vector<Vec3>& corners) {
   return snapped(std::move(outline));
 }
 
-/// By how much the hull of two parts is larger than both, or at least.
+/// How much larger the hull of two parts is than both, or at least is.
 struct Growth {
   double least = never_merged;
   bool is_exact = true;

@@ -60,7 +60,7 @@ struct SplitPiece {
 /// From triangles that make up a closed surface.
 [[nodiscard]] double enclosed_volume(const SolidPiece& piece);
 
-/// Of the convex hull of points; 0 where it is flat.
+/// The volume of the convex hull of points; 0 where it is flat.
 [[nodiscard]] double hull_volume(std::span<const Vec3> points);
 
 }  // namespace toccata

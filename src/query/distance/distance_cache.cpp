@@ -27,7 +27,7 @@ void bind(CoherentState& state, const Model& a, const Model& b) {
         "each pair of models, asked in one order, or clear() it");
 }
 
-/// Of two convex shapes of which one is a quadric; nothing of other models.
+/// The distance of two convex shapes of which one is a quadric; nothing for other models.
 std::optional<Distance> quadric_distance(const Model& a, const Model& b, const PairQuery& query, CoherentState& state) {
   const PosedModelPair models(a, b, query, state.workspace.scratch());
   if (models.a.parts.size() != 1 || models.b.parts.size() != 1) return {};

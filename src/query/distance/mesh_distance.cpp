@@ -60,7 +60,7 @@ class NearestToShape final : public NearQuestion {
   NearestToShape(const PosedMesh& mesh, const Shape& shape, const WantedDistance& wanted, SimplexCache& workspace)
       : mesh_(mesh), shape_(shape), workspace_(workspace), wanted_(wanted), limit_(search_limit(wanted)) {}
 
-  /// Of the shape's core, which boxes are compared with.
+  /// The limit for the distance from the shape's core, which boxes are compared with.
   [[nodiscard]] double limit() const override {
     return is_enough() ? -1 : std::max(std::nextafter(limit_ + radius_of(shape_), infinity), least_limit);
   }
@@ -153,7 +153,7 @@ std::optional<Distance> at_some_triangle(const PosedTriangles& a, const Shape& b
   return at_triangle(a.mesh, *met, distance(convex(a.mesh, *met), b));
 }
 
-/// Of a quadric this is proved, of the first triangle of which it can be; what is undecided is found by the distances.
+/// For a quadric, the first triangle for which the meeting is proved; what is undecided is found by the distances.
 std::optional<Distance> at_some_triangle(const PosedTriangles& a, const PosedQuadric& b, SearchScratch& scratch) {
   for (const Index triangle : triangles_intersecting(a.mesh, b, scratch)) {
     const Distance found = distance(convex(a.mesh, triangle), b);
@@ -189,7 +189,7 @@ std::optional<Nearby> outer_nearby(const PosedMesh& a, const Shape& b, const Wan
   return nearest;
 }
 
-/// Of a shape that meets no triangle: where it lies within the solid.
+/// For a shape that meets no triangle: where it lies within the solid.
 template <class Shape>
 std::optional<Nearby> inner_nearby(const PosedTriangles& a, const Shape& b) {
   if (!a.solid || !is_interior(some_point_of(b), a.mesh)) return {};

@@ -12,7 +12,7 @@
 // meshes.
 namespace toccata {
 
-// The nearest triangle where there are several, and its face. Of a quadric the status is that of quadrics.hpp:
+// The nearest triangle where there are several, and its face. For a quadric the status is that of quadrics.hpp:
 // undecided when some triangle is and none is proved to meet the shape. A search for what is near enough ends at the
 // first triangles that are.
 [[nodiscard]] std::optional<Nearby> nearby(const PosedTriangles& a, const PosedTriangles& b,
@@ -29,11 +29,11 @@ namespace toccata {
 /// The walk that looks for what is nearest.
 [[nodiscard]] NearWalk near_walk(const PosedMesh& a, const PosedMesh& b);
 
-/// Of the surfaces alone; elements are told, and faces are not.
+/// What is nearest of the surfaces alone; elements are told, and faces are not.
 [[nodiscard]] std::optional<Nearby> surfaces_nearby(const PosedMesh& a, const PosedMesh& b,
                                                     const WantedDistance& wanted, SearchScratch& scratch);
 
-/// Of surfaces that meet: at a pair of triangles that do, always the same.
+/// For surfaces that meet: the distance at a pair of triangles that do, always the same pair.
 [[nodiscard]] std::optional<Distance> at_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch);
 
 /// A connected part of one mesh that lies within the other, a solid: its first triangle.
@@ -42,7 +42,7 @@ struct PartInside {
   Index triangle;
 };
 
-/// Of meshes whose surfaces do not meet: the first such part, of a if there is one.
+/// For meshes whose surfaces do not meet: the first such part, one of a if there is one.
 [[nodiscard]] std::optional<PartInside> inner_part(const PosedTriangles& a, const PosedTriangles& b);
 [[nodiscard]] Distance at_inner_part(const PartInside& part, const PosedMesh& a, const PosedMesh& b);
 

@@ -31,7 +31,7 @@ Mat3 transposed_times(const Mat3& a, const Mat3& b) {
   return product;
 }
 
-/// Of a rotation times a number, that number; of anything else it says nothing.
+/// For a rotation times a number, that number; for anything else it says nothing.
 double factor_of(const Mat3& m) { return std::sqrt((dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])) / 3); }
 
 Aabb core_box(const PosedPolytope& shape) {

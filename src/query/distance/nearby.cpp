@@ -74,7 +74,8 @@ class NearestParts {
 
   [[nodiscard]] bool is_enough() const { return least_ && least_->upper <= std::max(wanted_.enough, 0.0); }
 
-  /// Of shapes with few vertices the distance is as quick.
+  /// Whether two parts are certainly farther apart than the least distance so far. It is not asked of shapes with few
+  /// vertices, whose distance is as quick.
   [[nodiscard]] bool is_farther(const PosedPart& a, const PosedPart& b) const {
     constexpr Index few_vertices = 16;
     const auto* convex_a = std::get_if<PosedPolytope>(&a.shape);

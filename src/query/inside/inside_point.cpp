@@ -43,7 +43,7 @@ bool lies_on_segment(const ExactPoint& p, const Vec3& a, const Vec3& b) {
   return true;
 }
 
-/// Of a point in the plane of a triangle whose projection along `axis` has area.
+/// Whether a point is in the triangle, in whose plane it lies; the projection of the triangle along `axis` has area.
 bool projects_into(const ExactPoint& p, const Triangle& t, int axis) {
   bool left = false, right = false;
   for (int i = 0; i < 3; ++i) {

@@ -18,7 +18,7 @@ struct LineWinding {
 /// moved by (ε, ε²) in the other two coordinates (in cyclic order) for an infinitely small ε > 0: so it meets no edge,
 /// and both numbers are those of space just beside the line, near p, off all faces
 /// (docs/methods/relations-of-solids.md). Symbolic perturbation after H. Edelsbrunner, E. P. Mücke, "Simulation of
-/// simplicity", 1990. Exact. Of an open mesh only the two flags have a meaning. `plane` is a triangle with area.
+/// simplicity", 1990. Exact. Only the two flags have a meaning for an open mesh. `plane` is a triangle with area.
 [[nodiscard]] LineWinding wind_along(const PosedMesh& mesh, const ExactPoint& p, int axis, const Triangle& plane);
 
 /// The same without a plane: `on_another_plane` stays false.

@@ -9,8 +9,8 @@
 
 namespace toccata {
 
-/// Of a mesh whose surface does not meet that of the solid, so that every connected part of it lies as a whole inside
-/// or outside: the first triangle of the first part inside, if there is one.
+/// The first triangle of the first part of the mesh that is inside the solid, if there is one. The surfaces do not
+/// meet, so every connected part of the mesh lies as a whole inside or outside.
 [[nodiscard]] inline std::optional<Index> part_inside(const PosedMesh& mesh, const PosedMesh& solid) {
   const std::vector<Index>& parts = mesh.model().mesh_parts().first_triangle;
   const auto found = std::find_if(parts.begin(), parts.end(),

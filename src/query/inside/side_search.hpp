@@ -29,10 +29,11 @@ class SideSearch {
   /// No point outside of the model's box is inside or undecided.
   [[nodiscard]] bool is_certain() const { return others_.empty(); }
 
-  /// Of a point on one of its surfaces. It is told to be the generalised winding number where some mesh is asked by it.
+  /// The side of a point on one of its surfaces. It is told to be by the generalised winding number where some mesh is
+  /// asked by it.
   [[nodiscard]] FoundSide on_surface() const;
 
-  /// Of a finite point on none of its surfaces.
+  /// The side of a finite point on none of its surfaces.
   [[nodiscard]] FoundSide side_of(const Vec3& point, SearchScratch& scratch) const;
 
  private:

@@ -71,7 +71,7 @@ struct WindingSearch::Seen {
     return worst;
   }
 
-  /// Of all, added anew.
+  /// The sum of all, added anew.
   BoundedSum sum() {
     BoundedSum blocks, all = near;
     for (const WindingEntry& entry : far) blocks.add(entry.value, entry.bound);

@@ -19,12 +19,12 @@ class ContactElement {
   /// A shape that needs no tree.
   [[nodiscard]] const PosedPart& part() const { return part_; }
 
-  /// Of a triangle of a mesh.
+  /// The surroundings of a triangle of a mesh; none for any other shape.
   [[nodiscard]] const std::optional<TriangleSurroundings>& around() const { return around_; }
 
   /// What lies on it may do so along this direction, which is out of it and unit.
   [[nodiscard]] bool allows(const Vec3& direction) const { return !around_ || around_->allows(direction); }
-  /// Of a triangle of a mesh: TriangleSurroundings::visit_normals.
+  /// For a triangle of a mesh, TriangleSurroundings::visit_normals.
   void visit_normals(FunctionRef<void(const Vec3&)> see) const {
     if (around_) around_->visit_normals(see);
   }

@@ -47,7 +47,7 @@ double overlap_of(const ContactElement& a, const ContactElement& b, const Vec3& 
   return std::visit(AskOverlapAlong{normal}, a.part().shape, b.part().shape);
 }
 
-/// Of the normals that the two elements propose, the allowed one along which they overlap the least.
+/// The allowed one of the normals that the two elements propose along which they overlap the least.
 class LeastAllowed {
  public:
   LeastAllowed(const ContactElement& a, const ContactElement& b, SearchScratch& scratch)
@@ -98,7 +98,7 @@ double depth_inside(const Triangle& triangle, const Vec3& normal, const Vec3& po
   return least;
 }
 
-/// Of the points that are as deep as any.
+/// The middle of the points that are as deep as any.
 Vec3 middle_of_deepest(const Manifold& manifold, double depth) {
   Vec3 sum;
   int count = 0;

@@ -31,7 +31,7 @@ std::vector<ModelManifold> as_list(const Manifold& manifold) {
   return {{manifold}};
 }
 
-/// Of two posed models, by their contacts.
+/// The manifolds of two posed models, by their contacts.
 class ManifoldsOfContacts {
  public:
   ManifoldsOfContacts(const PosedModel& a, const PosedModel& b, SearchScratch& scratch)
@@ -90,7 +90,7 @@ class ManifoldsOfContacts {
   MergedManifolds merged_;
 };
 
-/// Of two models of which one lies wholly within the other.
+/// The manifolds of two models of which one lies wholly within the other.
 std::vector<ModelManifold> of_contained(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const Relation lie = relation(a, b, query, workspace);
   if (lie.kind == RelationKind::apart) return {};

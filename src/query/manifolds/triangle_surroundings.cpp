@@ -48,8 +48,8 @@ void TriangleSurroundings::visit_beyond(std::size_t edge, const See& see) const 
 bool TriangleSurroundings::is_highest_edge(std::size_t edge, const Vec3& direction) const {
   const Vec3& at = corners_[static_cast<int>(edge)];
   bool is_highest = true;
-  // Of two faces that both fall away from an edge of a solid, it is outwards that this is so where it is along the sum
-  // of their normals.
+  // Where both faces fall away from an edge of a solid, they do so outwards if the direction is along the sum of their
+  // normals.
   double outwards = dot(normal_, direction);
   visit_beyond(edge, [&](Index triangle, const Vec3& corner) {
     is_highest = is_highest && slope_to(at, corner, direction) <= level_slope;

@@ -15,7 +15,7 @@ class VertexFans {
   VertexFans() = default;
   explicit VertexFans(const Model& model);
 
-  /// As they are numbered here, in the order of the triangle's corners.
+  /// The corners as they are numbered here, in the order of the triangle's corners.
   [[nodiscard]] const std::array<Index, 3>& corners(Index triangle) const { return corners_[triangle]; }
 
   /// Ascending.

@@ -25,7 +25,7 @@ Vec3 farthest_from(const Vec3& point, const PosedPolytope& body) {
   return farthest;
 }
 
-/// Of what leads from a point to a vertex the longest part that is at right angles to a direction.
+/// The longest of the parts, at right angles to a direction, of the ways from a point to the vertices.
 Vec3 longest_across(const Vec3& direction, const Vec3& point, const PosedPolytope& body) {
   Vec3 longest{};
   for (Index i = 0; i < body.vertex_count(); ++i) {

@@ -13,7 +13,7 @@ constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
 /// Below it the counters cost more than comparisons.
 constexpr std::size_t worth_counting = 100;
 
-/// By one digit; equals stay in order.
+/// Sorts by one digit; equals stay in order.
 void sort_by_digit(std::span<const FoundPair> from, std::span<FoundPair> to, int shift) {
   std::array<std::size_t, digit_mask + 1> next{};
   for (const FoundPair& pair : from) ++next[pair.number >> shift & digit_mask];

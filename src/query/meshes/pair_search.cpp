@@ -15,7 +15,8 @@ namespace {
 // A yes or no is often settled by the first pairs that are found.
 constexpr std::size_t small_batch = 8;
 
-/// By the turned boxes of the wholes, which tell most pairs apart that are, before anything is made ready for a walk.
+/// Whether the turned boxes of the wholes show that the two are apart, as they do for most pairs that are, before
+/// anything is made ready for a walk.
 bool are_told_apart(const PairCull& cull, const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
   if (!cull.disjoint(a.model().wide_bvh().box, b.model().wide_bvh().box)) return false;
   scratch.counts.volume_tests = 1;

@@ -52,7 +52,7 @@ std::span<const Index> all_that_meet(const PosedMesh& mesh, const Shape& shape, 
   return found;
 }
 
-/// Of a mesh taken as surface: what its triangles say.
+/// The relation of a mesh taken as surface: what its triangles say.
 template <class Shape>
 Relation relation_by_triangles(const PosedMesh& mesh, const Shape& shape) {
   Relation result;

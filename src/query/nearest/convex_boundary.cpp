@@ -77,15 +77,15 @@ SurfacePoint ConvexBoundary::nearest(const Vec3& point, SearchScratch& scratch) 
   return shape_.radius() > 0 ? from_within(point, scratch) : from_core(point, scratch);
 }
 
-/// Of a point of the hull of the world vertices.
+/// The nearest point of the boundary to a point of the hull of the world vertices.
 SurfacePoint ConvexBoundary::from_core(const Vec3& point, SearchScratch& scratch) const {
   NearestElements nearest(1, infinity, scratch.inner_points);
   core().target.see_near(point, nearest, scratch);
   return nearest.in_order().front();
 }
 
-/// Of a shape with a radius: what that leaves of the way from the core, or, from within the core, the way out of it and
-/// the radius.
+/// The same for a shape with a radius, whose distance is what that leaves of the way from the core, or, from within the
+/// core, the way out of it and the radius.
 SurfacePoint ConvexBoundary::from_within(const Vec3& point, SearchScratch& scratch) const {
   const PosedPolytope from(Point{point});
   const double radius = shape_.radius();

@@ -85,7 +85,7 @@ class NearestCandidates {
     memory_.uppers.clear();
   }
 
-  /// As that of NearestElements.
+  /// The same limit as that of NearestElements.
   [[nodiscard]] double limit() const { return limit_; }
 
   void see(Index number, double lower, double upper) {

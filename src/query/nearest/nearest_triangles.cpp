@@ -43,9 +43,9 @@ FrontGap PairDistances::gap_in(std::size_t lane, const NearCandidate& candidate)
   return {((swapped_[lane] ? -1 : 1) / std::sqrt(dot(seen, seen))) * seen, found.gap};
 }
 
-/// Of the first lanes of a block that was refined, those that are still too wide: which features are nearest may hang
-/// on digits that doubles do not have, and another direction then tells more. Each lane is left alone once it is
-/// narrow, so that none depends on its neighbours.
+/// Tries every feature on those of the first lanes of a refined block that are still too wide: which features are
+/// nearest may hang on digits that doubles do not have, and another direction then tells more. Each lane is left alone
+/// once it is narrow, so that none depends on its neighbours.
 void PairDistances::try_all_features(std::size_t count) {
   constexpr int feature_count = 15;
   TriangleGaps best = gaps_;

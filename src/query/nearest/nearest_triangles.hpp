@@ -36,7 +36,7 @@ class WorldTriangles {
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
-  // Of the memory of a triangle: its corners' numbers, and when these have come, the corners.
+  // Asks for the memory of a triangle: its corners' numbers, and when these have come, the corners.
   void prefetch_numbers(Index number) const { prefetch(triangles_[number]); }
   void prefetch_corners(Index number) const {
     for (const Index corner : triangles_[number]) prefetch(vertices_[corner]);
@@ -110,7 +110,7 @@ class PairDistances {
   /// The upper ends of the pairs' own intervals, of a block's worth at most. They do not meet.
   [[nodiscard]] TriangleGaps::Lanes uppers_of(std::span<const NearCandidate> candidates, Effort effort);
 
-  /// Of the last block that was bounded: how far apart the candidate in that lane is.
+  /// How far apart the candidate is that was in that lane of the last block that was bounded.
   [[nodiscard]] FrontGap gap_in(std::size_t lane, const NearCandidate& candidate) const;
 
   /// Its exact distance is at most that.
@@ -166,11 +166,11 @@ class NearestTriangles final : public NearQuestion, public FrontQuestion {
   /// There is a pair within the limit, but for what intervals leave open.
   [[nodiscard]] bool found_any() const { return limit_ < 0 || !candidates_.empty(); }
 
-  /// Of all pairs that were seen and wanted; none of them meet, and there is one. Of two that are near enough, only
-  /// this. What is kept of the nearest two saves time and changes nothing.
+  /// The distance of the nearest of all pairs that were seen and wanted; none of them meet, and there is one. Where two
+  /// are near enough, it tells only this. What is kept of the nearest two saves time and changes nothing.
   [[nodiscard]] Distance nearest(SimplexCache* kept = nullptr);
 
-  /// Of the same: one is at most that far.
+  /// Whether one of the same pairs is at most that far apart.
   [[nodiscard]] bool any_within(double tolerance) const;
 
  private:

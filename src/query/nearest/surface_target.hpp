@@ -37,10 +37,10 @@ class SurfaceTarget {
   void find_some(std::span<const Vec3> points, double max_distance, std::span<SurfacePoint> found,
                  SearchScratch& scratch) const;
   void see_left(const Vec3& point, std::span<const Index> left, NearestElements& nearest, SearchScratch& scratch) const;
-  /// By the floats at the tree's leaves.
+  /// Looks by the floats at the tree's leaves.
   void see_at_leaves(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest,
                      SearchScratch& scratch) const;
-  /// By the vertices in doubles.
+  /// Looks by the vertices in doubles.
   void see_by_walk(const Vec3& point, const WidePoint& in_tree, NearestElements& nearest, SearchScratch& scratch) const;
   void bound_few(const Vec3& point, std::span<const Index> triangles, NearestCandidates& candidates) const;
   void see_candidates(const Vec3& point, const NearestCandidates& candidates, NearestElements& nearest) const;

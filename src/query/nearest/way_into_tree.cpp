@@ -10,7 +10,7 @@
 namespace toccata {
 namespace {
 
-/// Of a root, and of a matrix that is hardly rigid.
+/// A factor for the rounding of a root, and for a matrix that is hardly rigid.
 constexpr double hardly_more = 1 + 0x1p-40;
 
 Mat3 inverse(const Mat3& m, double scale) {
@@ -24,7 +24,7 @@ Mat3 inverse(const Mat3& m, double scale) {
   return result;
 }
 
-/// Of one row of B: |B_i| S, the sum of |B_i|, and |E_i| rho.
+/// The terms of one row of B: |B_i| S, the sum of |B_i|, and |E_i| rho.
 struct AxisTerms {
   double row_by_sizes;
   double row_sum;

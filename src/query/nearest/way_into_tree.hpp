@@ -15,14 +15,13 @@ class WayIntoTree {
  public:
   explicit WayIntoTree(const PosedMesh& mesh);
 
-  /// Of a mesh at the identity, where most of it is known: the same numbers for
-  /// a sixth of the work.
+  /// The way into a mesh at the identity, where most of it is known: the same numbers for a sixth of the work.
   explicit WayIntoTree(const WideBvh& tree);
 
   /// Otherwise nothing is known of where a point comes to be.
   [[nodiscard]] bool usable() const { return usable_; }
 
-  /// Of a point of the world, less the pose's offset.
+  /// The place of a point of the world, which is given less the pose's offset.
   [[nodiscard]] Vec3 place(const Vec3& from_offset) const { return direction(from_offset) - origin_; }
   [[nodiscard]] Vec3 direction(const Vec3& v) const { return {dot(back_[0], v), dot(back_[1], v), dot(back_[2], v)}; }
 

@@ -41,7 +41,7 @@ class DepthLimit {
     return seconds_ < std::numeric_limits<double>::infinity() &&
            std::chrono::duration<double>(Clock::now() - start_).count() >= seconds_;
   }
-  /// Of the bracket that a search ended with.
+  /// How a search ended that found this bracket.
   [[nodiscard]] DepthEnd end_of(const Penetration& bracket) const {
     return is_narrow(bracket) ? DepthEnd::precise : is_over() ? DepthEnd::out_of_time : DepthEnd::exhausted;
   }

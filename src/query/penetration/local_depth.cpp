@@ -117,13 +117,13 @@ class LocalDepth {
   LocalDepth(const PosedModelPair& models, const SeparatingQuestions& questions, const DepthLimit& limit, double extent)
       : models_(models), limit_(limit), tried_(questions, limit, extent) {}
 
-  /// Of the balls themselves.
+  /// Takes in what the balls themselves tell.
   void know(const CommonBalls& balls) {
     tried_.best.lower = std::max(tried_.best.lower, balls.depth());
     ways_.push_back({plain_unit_or_zero(balls.out_of_a - balls.out_of_b), balls.depth()});
   }
 
-  /// Of bodies around their middle.
+  /// Takes in what bodies around their middle tell.
   void grow_around(const CommonBalls& balls) {
     constexpr double times_the_depth = 4;
     for (const CutBy cut : {CutBy::own_plane, CutBy::nearest_point}) {

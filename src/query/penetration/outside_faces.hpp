@@ -12,7 +12,7 @@ namespace toccata {
 /// the same face.
 class OutsideFaces {
  public:
-  /// Of three dimensions; it has to outlive this.
+  /// The body has three dimensions and has to outlive this.
   explicit OutsideFaces(const ConvexHull& body);
 
   /// Proved; false where the faces do not tell.

@@ -15,7 +15,7 @@ namespace {
 
 bool is_one_shape(const Model& model) { return !model.has_mesh() && kind_of(model.shape()) != ShapeKind::compound; }
 
-/// Of convex sets, not two half-spaces.
+/// Asks for the depth of two convex sets, which are not both half-spaces.
 struct AskDepth {
   Penetration operator()(const PosedPolytope& a, const PosedPolytope& b) const {
     return penetration(a, b, &scratch.convex);

@@ -18,7 +18,7 @@ void add_circle(std::vector<Vec3>& points, double radius, double height, int cou
   }
 }
 
-/// Of the shape whose half axes are 1.
+/// Points of the surface of the shape whose half axes are 1.
 template <QuadricKind Kind>
 std::vector<Vec3> surface_points() {
   constexpr int around = 40, circles = 20;

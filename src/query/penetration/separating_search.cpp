@@ -90,7 +90,7 @@ void SeparatingSearch::add(const InnerPair& pair) {
   if (depth.lower > 0 && depth.lower >= best_.lower / 2) try_along(depth.direction, depth.upper);
 }
 
-/// Of bodies around points inside both when B is moved; how many pairs.
+/// Adds pairs of bodies around points inside both when B is moved; returns how many.
 std::size_t SeparatingSearch::add_parts(const Vec3& move, std::size_t most) {
   std::size_t added = 0;
   for (const SeparatingSeed& seed : find_seeds({a_, b_, move}, questions_.intersections(move), most))

@@ -66,7 +66,7 @@ class SolidBody {
   /// The solid, where it is convex or a quadric.
   [[nodiscard]] const InnerPart* as_one() const;
 
-  /// Of a part that is a convex shape or a quadric: a body within it; of a convex shape all of it.
+  /// A body within a part that is a convex shape or a quadric; for a convex shape, all of it.
   [[nodiscard]] const InnerPart* within(const PosedPart& part) const;
 
   /// Within some part of it.
@@ -86,7 +86,8 @@ class SolidBody {
   const InnerPart* keep(const std::optional<ConvexHull>& hull);
   void find_whole(WholeBodies& wholes);
   void find_inner_parts();
-  /// Of a point inside the mesh; else null. Those of the last point are kept: bodies grow around it by several cuts.
+  /// The surroundings of a point inside the mesh; else null. Those of the last point are kept: bodies grow around it by
+  /// several cuts.
   const Surroundings* surroundings_in(const PosedMesh& mesh, const Vec3& point, double reach);
 
   const PosedModel& posed_;

@@ -178,7 +178,7 @@ void add_points(Penetration& depth, const Distance& after) {
   depth.on_b = after.on_b - depth.upper * depth.direction;
 }
 
-/// Of solids whose interiors do not meet, or not for sure: then the status says so.
+/// The answer for solids whose interiors do not meet, or not for sure: then the status says so.
 Penetration without_overlap(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace,
                             Status status) {
   const Distance between = distance(a, b, query, workspace);
@@ -264,7 +264,8 @@ class BodyDepth {
     if (!was_looked_at_ && !limit_.is_narrow(bracket_) && !limit_.is_over()) look_at_the_place();
   }
 
-  /// Of two convex solids.
+  /// Finds the depth of two solids that are each convex or a quadric; false for any others, and where they do not
+  /// overlap.
   bool is_known_as_one(const SolidBody& body_a, const SolidBody& body_b) {
     const InnerPart *one_a = body_a.as_one(), *one_b = body_b.as_one();
     if (one_a == nullptr || one_b == nullptr) return false;

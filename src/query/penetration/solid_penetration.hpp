@@ -11,8 +11,8 @@ namespace toccata {
 /// No half-space is one of several parts, and the two are not both half-spaces.
 [[nodiscard]] bool may_be_parted(const PosedModel& a, const PosedModel& b);
 
-/// Of two models, posed, some part of which is a mesh, or of which there is more than one part. `models` are a and b.
-/// Throws Error when one is taken as a surface or has a half-space among several parts.
+/// The depth of two posed models of which some part is a mesh, or of which one has more than one part. `models` are a
+/// and b. Throws Error when one is taken as a surface or has a half-space among several parts.
 [[nodiscard]] DepthBracket depth_of_solids(const Model& a, const Model& b, const PairQuery& query,
                                            const PosedModelPair& models, const DepthOptions& options,
                                            Workspace& workspace);

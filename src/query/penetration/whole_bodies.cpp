@@ -12,10 +12,10 @@
 namespace toccata {
 namespace {
 
-/// Of meshes with more vertices it is not tried in every case whether they are convex.
+/// Meshes with more vertices are not in every case tried for being convex.
 constexpr std::size_t many_vertices = 10'000;
 
-/// Of all hulls that are kept, some 128 bytes each; one is kept however many it has.
+/// The most vertices of all hulls that are kept, some 128 bytes each; one is kept however many it has.
 constexpr std::size_t most_vertices_kept = 500'000;
 constexpr std::size_t most_kept = 256;
 
@@ -50,7 +50,7 @@ std::size_t vertices_of(const WholeBody& body) {
   return std::size_t{body.hull.vertex_count()} + (body.drawn ? body.drawn->vertex_count() : 0);
 }
 
-/// Of the same bits, 0 and -0 being two.
+/// Whether two poses have the same bits, 0 and -0 being two.
 bool is_same(const Pose& a, const Pose& b) {
   return std::ranges::equal(a.numbers(), b.numbers(), {}, std::bit_cast<std::uint64_t, double>,
                             std::bit_cast<std::uint64_t, double>);

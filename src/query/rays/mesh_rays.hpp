@@ -28,7 +28,7 @@ class RayTarget {
   /// leaves or null. The model must outlive it.
   RayTarget(const Model& standing, const LeafTriangles* leaves);
 
-  /// Of a ray at the surface. That there is none is proved.
+  /// The first hit of a ray at the surface. That there is none is proved.
   [[nodiscard]] TriangleHit first_hit(const PreparedRay& ray) const;
   /// The same of many, which are walked side by side.
   void first_hits(std::span<const PreparedRay> rays, std::span<TriangleHit> hits) const;

@@ -60,7 +60,7 @@ RayHit hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray)
   return hit_of_surface(search, ray, search.first_hit(ray));
 }
 
-/// Of many rays at one mesh.
+/// The hits of many rays at one mesh.
 void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<const PreparedRay> rays,
              std::span<RayHit> hits) {
   std::vector<TriangleHit> found(rays.size());

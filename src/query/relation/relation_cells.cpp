@@ -27,7 +27,7 @@ ExactNumber number_between(const Low& low, const High& high, double fraction) {
   return ExactNumber(low.exact() < shorter && shorter < high.exact() ? std::move(shorter) : std::move(exact));
 }
 
-/// Of a segment at an x of its range, in doubles first; of a vertical one that of its lower end.
+/// The height of a segment at an x of its range, in doubles first; for a vertical one, that of its lower end.
 class SegmentHeight {
  public:
   SegmentHeight(const PlanarSegment& s, const ExactNumber& x)
@@ -128,7 +128,7 @@ class CellFinder {
     const SegmentHeight low(segments_[i], x);
     std::optional<Gap> gap;
     for (std::size_t j = 0; j < 3; ++j) {
-      // Of two edges that share an end at x, the right one counts.
+      // The right one counts where two edges share an end at x.
       if (j == i || !covers(segments_[j], x) || !(x < segments_[j].right.x)) continue;
       SegmentHeight height(segments_[j], x);
       if (!(low < height)) continue;

@@ -11,10 +11,10 @@
 // the caller. Precondition: the mesh is closed and posed regularly.
 namespace toccata {
 
-/// Of a shape without radius: the hull of its vertices is made a mesh, exactly, and the meshes are asked.
+/// The relation to a shape without radius: the hull of its vertices is made a mesh, exactly, and the meshes are asked.
 [[nodiscard]] Relation relation_of_solid_and_polytope(const PosedMesh& solid, const PosedPolytope& shape);
 
-/// Of a shape with a radius, a quadric, or a half-space (docs/methods/relations-of-solids.md).
+/// The same for a shape with a radius, a quadric, or a half-space (docs/methods/relations-of-solids.md).
 [[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedPolytope& shape,
                                                    std::span<const Index> contacts);
 [[nodiscard]] Relation relation_of_solid_and_round(const PosedMesh& solid, const PosedQuadric& shape,

@@ -9,7 +9,7 @@
 namespace toccata {
 namespace {
 
-/// Of the triangles' size: small enough for what is near by, and then for needles and acute angles.
+/// Shares of the triangles' size: small enough for what is near by, and then for needles and acute angles.
 constexpr double quadrant_distances[] = {0x1p-8, 0x1p-16, 0x1p-28};
 
 /// Where the edge passes through the plane of a triangle, but for rounding.

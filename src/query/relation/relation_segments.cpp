@@ -119,7 +119,7 @@ bool stays_outside(const Triangle& t, const Vec3& p, const Vec3& q, int axis) {
   return false;
 }
 
-/// Of all edges of coplanar triangles those that bound what the triangles cover, each once.
+/// Adds those edges of coplanar triangles that bound what the triangles cover, each once.
 void add_outlines(const Triangle& t, std::vector<CoplanarEdge> edges, int axis, std::vector<PlanarSegment>& segments) {
   std::sort(edges.begin(), edges.end(), [](const CoplanarEdge& d, const CoplanarEdge& e) { return d.key() < e.key(); });
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {

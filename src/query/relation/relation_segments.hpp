@@ -46,7 +46,7 @@ struct PlanarSegment {
 /// In the projection along `axis`, which has area. A segment may go on beyond t.
 [[nodiscard]] std::vector<PlanarSegment> segments_on(const Triangle& t, std::span<const Triangle> cuts, int axis);
 
-/// Of a segment that is not vertical, at an x of its range.
+/// The height of a segment that is not vertical, at an x of its range.
 [[nodiscard]] Rational height_at(const PlanarSegment& s, const ExactNumber& x);
 
 /// The same in doubles.

@@ -91,7 +91,7 @@ Relation relation_of_equal_triangles(const SolidPair& pair) {
   return from_regions(true, seen);
 }
 
-/// By what borders on the triangles that meet and on the parts that meet nothing, else by everything.
+/// The relation by what borders on the triangles that meet and on the parts that meet nothing, else by everything.
 Relation relation_by_regions(const SolidPair& pair, const FirstLook& look) {
   RegionsKnown known = regions_at_contacts(pair, look.contacts);
   known.seen = known.seen | look.seen;

@@ -122,7 +122,7 @@ class SurfaceLook {
     return false;
   }
 
-  /// Of one triangle of the surface and all that it meets.
+  /// Whether one triangle of the surface reaches the solid's interior, by its contacts with all that it meets.
   bool reaches_interior(std::span<const Contact> contacts) const {
     const Triangle t = surface_.triangle(contacts.front().triangle_b);
     const bool area = has_area(t);

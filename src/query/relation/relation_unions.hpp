@@ -15,7 +15,7 @@ class RelationOfUnions {
   RelationOfUnions(const PosedModel& a, const PosedModel& b)
       : a_solid_(a.solid), b_solid_(b.solid), covered_a_(a.parts.size()), covered_b_(b.parts.size()) {}
 
-  /// Of two parts; those that are never told are apart.
+  /// Takes in the relation of two parts; those that are never told are apart.
   void add(const ItemPair& parts, const Relation& found) {
     meets_ |= found.kind != RelationKind::apart;
     deep_ |= found.kind == RelationKind::overlapping || found.kind == RelationKind::crossing;

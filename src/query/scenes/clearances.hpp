@@ -27,13 +27,13 @@ class Clearances {
 
   [[nodiscard]] bool is_asked() const { return is_asked_; }
 
-  /// Of all pairs that have none of their own.
+  /// The clearance of all pairs that have none of their own.
   [[nodiscard]] double common() const { return common_; }
 
-  /// Of those that have, by pairs in ascending order.
+  /// The clearances of those that have one, by pairs in ascending order.
   [[nodiscard]] const std::map<std::pair<Index, Index>, double>& of_pairs() const { return of_pair_; }
 
-  /// Of a pair in ascending order.
+  /// The clearance of a pair in ascending order.
   [[nodiscard]] double of(const IndexPair& pair) const {
     const auto found = of_pair_.find({pair.first, pair.second});
     return found == of_pair_.end() ? common_ : found->second;

@@ -7,8 +7,8 @@
 
 namespace toccata {
 
-/// As scene_models does, with models that `make` makes of the scene's shapes, on as many threads as it is told. It is
-/// called from several threads at once, for each mesh once.
+/// The same as `scene_models`, with models that `make` makes of the scene's shapes, on as many threads as it is given.
+/// It is called from several threads at once, for each mesh once.
 [[nodiscard]] std::vector<SceneInstance> scene_models_by(const Scene& scene, int threads,
                                                          FunctionRef<Model(const Shape& shape, int threads)> make);
 

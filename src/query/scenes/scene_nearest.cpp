@@ -104,7 +104,7 @@ class SceneSides {
   }
 
  private:
-  /// Of several models the side of the greatest counts: as it does of the parts of a compound.
+  /// The side with the greatest weight counts among several models, as it does among the parts of a compound.
   static int weight_of(const FoundSide& found) {
     const bool exact = found.sign_by == SignBy::winding_number;
     if (found.side != Side::inside) return exact ? 0 : 1;

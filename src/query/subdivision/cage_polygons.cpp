@@ -99,7 +99,7 @@ void add_polygon(std::span<const std::array<Index, 3>> triangles, Index face, Po
   polygons.first.push_back(static_cast<Index>(polygons.corners.size()));
 }
 
-/// Of the mesh's faces, by the numbers of its vertices, which are still to be added.
+/// The polygons of the mesh's faces, by the numbers of its vertices, which are still to be added.
 PolygonMesh polygons_of_mesh(const TriangleMesh& mesh) {
   PolygonMesh polygons{{}, {}, {0}};
   std::vector<Index> order(mesh.triangle_count());

@@ -24,8 +24,8 @@ struct DifferenceGrowth {
 struct VertexKind {
   VertexRule rule = VertexRule::smooth;
   Index valence = 0;
-  /// Of creases: beside every edge that is not sharp there are the two that are, as on a border between two
-  /// quadrangles.
+  /// For vertices of creases: beside every edge that is not sharp there are the two that are, as on a border between
+  /// two quadrangles.
   bool is_even = false;
   bool has_smooth_edge = true;
 };

@@ -71,7 +71,7 @@ struct LevelMesh {
     const std::array<Index, 2>& sides = edges[edge_of_side[side]].sides;
     return sides[0] == side ? sides[1] : sides[0];
   }
-  /// Of the side from `from` to `to`, or no_index.
+  /// The number of the side from `from` to `to`, or no_index.
   [[nodiscard]] Index side_between(Index from, Index to) const;
   /// The edge between them, or no_index.
   [[nodiscard]] Index edge_between(Index a, Index b) const;

@@ -8,11 +8,11 @@
 namespace toccata {
 namespace {
 
-/// Of differences of four points at most, each rounded three times, and of the length; a length of three coordinates is
-/// less than twice the largest.
+/// The roundings of differences of four points at most, each rounded three times, and of the length; a length of three
+/// coordinates is less than twice the largest.
 constexpr double difference_roundings = 32;
 
-/// Of lengths, sums and products of a bound.
+/// A factor for the rounding of lengths, sums and products of a bound.
 constexpr double up_by_lengths = 1 + 0x1p-48;
 
 double difference_slack(const LevelMesh& mesh) {

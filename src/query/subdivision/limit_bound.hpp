@@ -17,8 +17,8 @@ struct FaceBound {
   double from_triangles = 0;
 };
 
-/// Bounds of whole faces of a level, with the proof of docs/methods/subdivision-surfaces.md. Of Catmull–Clark all faces
-/// must be quadrangles.
+/// Bounds of whole faces of a level, with the proof of docs/methods/subdivision-surfaces.md. With Catmull–Clark all
+/// faces must be quadrangles.
 class LimitBounds {
  public:
   explicit LimitBounds(const LevelMesh& mesh) : mesh_(mesh), known_(mesh.points.size()), boxes_(mesh.points.size()) {}

@@ -13,7 +13,7 @@
 namespace toccata {
 namespace {
 
-/// Of what lies between a face and the point nearest to it, a face may be off by so much.
+/// A face may be off by so much of what lies between it and the point nearest to it.
 constexpr double share_of_gap = 0.25;
 
 /// What witness points are off by, in units of the greatest coordinate: ten times what `distance` promises.

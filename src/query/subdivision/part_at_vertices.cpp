@@ -22,7 +22,8 @@ std::size_t faces_around(const LevelMesh& mesh, Index vertex) {
   return count;
 }
 
-/// Of the sides that begin at the vertex, those of faces that are connected with the face of `first` by edges there.
+/// Those of the sides that begin at the vertex which belong to faces that are connected with the face of `first` by
+/// edges there.
 std::set<Index> sides_around(const LevelMesh& mesh, Index first) {
   std::set<Index> found{first};
   std::vector<Index> waiting{first};

@@ -26,7 +26,7 @@ Vec3 smooth_vertex_point(const LevelMesh& mesh, Index vertex, const Spokes& spok
   return v + sum / (valence * valence);
 }
 
-/// Of the two ends whose edges are sharp.
+/// The new place of a vertex of a crease, by the two ends whose edges are sharp.
 Vec3 crease_vertex_point(const LevelMesh& mesh, Index vertex, const Spokes& spokes, std::span<const double> sharpness) {
   Vec3 ends{};
   for (Index i = 0; i < spokes.count(); ++i)
@@ -41,7 +41,7 @@ Vec3 point_by_rule(const LevelMesh& mesh, Index vertex, const Spokes& spokes, Ve
   return smooth_vertex_point(mesh, vertex, spokes);
 }
 
-/// Of those sharpnesses that end with this level, the mean: how much of the sharper rule remains.
+/// The mean of those sharpnesses that end with this level: how much of the sharper rule remains.
 double ending_share(const Spokes& spokes, double vertex_sharpness) {
   double sum = 0;
   Index count = 0;

@@ -7,7 +7,7 @@ namespace toccata {
 /// How the point of a vertex is made from its neighbours.
 enum class VertexRule { smooth, dart, crease, corner };
 
-/// By how many of its edges are sharp: none, one, two, more.
+/// The rule follows from how many of its edges are sharp: none, one, two, more.
 [[nodiscard]] VertexRule vertex_rule(double vertex_sharpness, std::span<const double> spoke_sharpness);
 
 /// A level later.

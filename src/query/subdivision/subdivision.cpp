@@ -94,8 +94,8 @@ LimitFinding LimitPair::found(LimitGoal goal) const {
   return LimitSearch(first_, *second_, query_, goal).found();
 }
 
-/// Of surfaces that are at least `apart`, whether some part of the one lies within the other; nothing where a cage
-/// would have to be refined too far to know. No part is on both sides, so one point of each tells.
+/// Whether some part of one of two surfaces that are at least `apart` lies within the other; nothing where a cage would
+/// have to be refined too far to know. No part is on both sides, so one point of each tells.
 std::optional<bool> LimitPair::has_within(double apart) const {
   const std::size_t most = 2 * query_.max_faces;
   const double radius = share_of_distance * apart;

@@ -87,7 +87,7 @@ void add_polygon_rim(std::vector<Vec3>& points, double radius, double height) {
 /// How much wider a regular polygon of that many corners has to be to contain the circle.
 double rim_around() { return (1 + least_margin) / std::cos(std::numbers::pi / 256); }
 
-/// Of the shape whose half axes are 1: within it, up to the rounding of sines, or around it.
+/// Points for the shape whose half axes are 1: within it, up to the rounding of sines, or around it.
 template <QuadricKind Kind>
 std::vector<Vec3> unit_points(bool is_around) {
   std::vector<Vec3> points;
@@ -104,7 +104,7 @@ std::vector<Vec3> unit_points(bool is_around) {
   return points;
 }
 
-/// Of the sum of the squares of all elements: no vector is shortened by more.
+/// The root of the sum of the squares of all elements of the inverse: no vector is shortened by more.
 double most_shortened(const Mat3& linear) {
   const Mat3 inverse = plain_inverse_transpose(linear);
   double sum = 0;

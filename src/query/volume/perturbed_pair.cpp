@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of the product of the triangle's normal with the way of the first solid.
+/// The sign of the product of the triangle's normal with the way of the first solid.
 Sign side_of_way(const Triangle& t) {
   for (int axis = 0; axis < 3; ++axis)
     if (const Sign sign = projected_orientation(t, axis); sign != Sign::zero) return sign;
@@ -39,7 +39,7 @@ Sign perturbed_turn(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& 
   return Sign::zero;
 }
 
-/// As EdgesThrough tells it of one edge, by the sides of its ends and its turns with the other's edges.
+/// How one edge passes, as in EdgesThrough, by the sides of its ends and its turns with the other's edges.
 int passes(Sign from, Sign to, const std::array<Sign, 3>& turns) {
   if (turns[0] != turns[1] || turns[1] != turns[2]) return 0;
   return from == Sign::positive && to == Sign::negative ? 1 : -1;

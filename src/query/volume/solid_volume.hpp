@@ -13,13 +13,13 @@ namespace toccata {
 /// What two solids have in common.
 struct CommonSolid {
   OverlapVolume volume;
-  /// Of two that are not compounds: closed curves along which the surfaces cross, of what is round those of the
+  /// For two that are not compounds: closed curves along which the surfaces cross, for what is round those of the
   /// polyhedra within; 0 where that was not found out.
   std::size_t curve_count = 0;
   std::optional<Vec3> point;  ///< certainly of both, closed; none where none was found
 };
 
-/// Of two models that are both solids, one of which is bounded.
+/// What two models have in common that are both solids, one of which is bounded.
 [[nodiscard]] CommonSolid common_solid(const PosedModel& a, const PosedModel& b, SearchScratch& scratch);
 
 /// Both are solids, and not both half-spaces.

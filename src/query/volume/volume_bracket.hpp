@@ -21,7 +21,7 @@ struct VolumeBracket {
   return {std::isfinite(lower) ? std::max(lower, 0.0) : 0, upper >= 0 ? upper : std::isnan(upper) ? infinity : 0};
 }
 
-/// Of a box.
+/// The volume of a box.
 [[nodiscard]] inline BoundedNumber bounded_volume(const Aabb& box) {
   return bounded_difference(box.upper.x, box.lower.x) * bounded_difference(box.upper.y, box.lower.y) *
          bounded_difference(box.upper.z, box.lower.z);

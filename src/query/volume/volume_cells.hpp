@@ -5,8 +5,8 @@
 
 namespace toccata {
 
-/// Of any two closed meshes, by cells of the box that both boxes have in common: halved as long as a surface passes
-/// through them, up to a number of cells. What is certainly in both, and that with what may be.
+/// The volume that any two closed meshes share, by cells of the box that both boxes have in common: halved as long as a
+/// surface passes through them, up to a number of cells. What is certainly in both, and that with what may be.
 [[nodiscard]] VolumeBracket volume_by_cells(const PosedMesh& a, const PosedMesh& b);
 
 }  // namespace toccata

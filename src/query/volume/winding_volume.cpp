@@ -50,7 +50,7 @@ class VolumeSurface {
   [[nodiscard]] VertexGraph& graph() { return graph_; }
   [[nodiscard]] const std::vector<Index>& triangles() const { return triangles_; }
 
-  /// Of a vertex, as the graph numbers it.
+  /// The winding number at a vertex, as the graph numbers it.
   [[nodiscard]] int winding_at(Index vertex) {
     const auto [found, is_new] = windings_.try_emplace(vertex, 0);
     if (is_new) found->second = perturbed_winding(graph_.position(vertex), side_, other_);
@@ -95,7 +95,7 @@ class PartlyInside {
   /// A segment of the border, seen against the normal with the inside to its left.
   void add_segment(const BoundedVector& from, const BoundedVector& to) { twice_ = twice_ + cross(from, to); }
 
-  /// Of the edge from vertex 1 to 2, the only one that the vertex 0 does not lie on.
+  /// Adds how much is inside of the edge from vertex 1 to 2, the only one that the vertex 0 does not lie on.
   void add_far_edge(const BoundedNumber& inside) { twice_ = twice_ + inside * normal_of(triangle_); }
 
   /// Six times the volume of the pyramids over it.

@@ -18,9 +18,9 @@ struct WindingVolume {
   std::optional<Vec3> middle;   ///< of the corners of these curves
 };
 
-/// By the divergence theorem over the pieces of each surface in the other solid. Which pieces there are is exact, by
-/// the signs of perturbed_pair.hpp, and nothing is cut: a piece of a triangle is told by the segments around it
-/// (docs/methods/overlap-volume.md). What is rounded is the sum alone. `first` and `second` are not to be exchanged.
+/// The volume by the divergence theorem over the pieces of each surface in the other solid. Which pieces there are is
+/// exact, by the signs of perturbed_pair.hpp, and nothing is cut: a piece of a triangle is given by the segments around
+/// it (docs/methods/overlap-volume.md). What is rounded is the sum alone. `first` and `second` are not to be exchanged.
 [[nodiscard]] WindingVolume winding_volume(const PosedMesh& first, const PosedMesh& second, SearchScratch& scratch);
 
 /// The triangles with area that meet the region, ascending.
@@ -30,7 +30,7 @@ struct WindingVolume {
 /// are several or it could not be proved that there are not.
 [[nodiscard]] std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, SearchScratch& scratch);
 
-/// Of two boxes that overlap.
+/// What two boxes that overlap have in common.
 [[nodiscard]] Aabb common_box(const Aabb& a, const Aabb& b);
 
 }  // namespace toccata

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// As short as it tells something.
+/// The value as short as it still says something.
 std::string shown(const json* value) {
   if (value == nullptr) return "nothing";
   constexpr std::size_t longest = 60;

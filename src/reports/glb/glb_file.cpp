@@ -9,7 +9,7 @@
 namespace toccata {
 namespace {
 
-/// As they are drawn; those that move through poses are at their own places, as their nodes move.
+/// The models as they are drawn; those that move through poses are at their own places, as their nodes move.
 std::vector<SceneInstance> models_of(const Scene& scene, std::span<const SceneInstance> models,
                                      const SceneAnswer& answer) {
   std::vector<SceneInstance> drawn = io::drawn_scene(scene, models, answer).models;

@@ -41,7 +41,7 @@ class GlbFindings {
 
   /// What faces have in common.
   [[nodiscard]] static std::vector<Shown> shown_of(ContactGeometry found);
-  /// Of the triangles that are drawn for these faces.
+  /// The corners of the triangles that are drawn for these faces.
   [[nodiscard]] std::vector<Vec3> corners(Index object, std::span<const Index> faces) const;
 
  private:

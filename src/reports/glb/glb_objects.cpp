@@ -24,7 +24,7 @@ GlbPaint paint_of(ObjectRole role, std::size_t object) {
                                    : GlbPaint{"second of a pair", 0xe69f00, seen_through};
 }
 
-/// As it is in the first of the findings that name it.
+/// The role of each object is that in the first of the findings that name it.
 std::vector<ObjectRole> roles_of(std::size_t objects, const SceneAnswer& answer) {
   if (std::holds_alternative<DecomposeReport>(answer)) return std::vector<ObjectRole>(objects, ObjectRole::part);
   std::vector<std::optional<ObjectRole>> roles(objects);

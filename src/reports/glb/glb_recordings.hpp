@@ -19,7 +19,7 @@ class GlbFrames {
  public:
   GlbFrames(GlbScene& glb, const char* group, std::size_t frames) : glb_(glb), group_(group), frames_(frames) {}
 
-  /// Of the frame that is being made: points, or segments by both ends. What is not finite is left out.
+  /// Adds to the frame that is being made: points, or segments by both ends. What is not finite is left out.
   void add(const char* name, std::span<const Vec3> points, GlbMode mode, const GlbPaint& paint);
   /// The edges of boxes.
   void add(const char* name, std::span<const Aabb> boxes, const GlbPaint& paint);

@@ -23,7 +23,7 @@ struct GlbPaint {
   double cover = 1;
 };
 
-/// Of levels and of parts, one after the other.
+/// The colours of levels and of parts, one after the other.
 constexpr std::array<unsigned, 6> colours_in_turn{0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xd55e00};
 
 /// Where a mesh lies: some poses no node can have, and its vertices take them.
@@ -114,14 +114,14 @@ void add_moving_objects(GlbScene& glb, const std::vector<std::vector<GlbKey>>& k
 void add_findings(GlbScene& glb, const SceneAnswer& answer);
 /// The scene's tree of nodes as it is, cured, and rebuilt: the edges of its boxes, level by level.
 void add_trees(GlbScene& glb, const Scene& scene, const RebalanceReport& report);
-/// Of each mesh the levels of a hierarchy. Throws Error when there are too many meshes to be looked at.
+/// Adds the levels of a hierarchy of each mesh. Throws Error when there are too many meshes to be looked at.
 void add_hierarchies(GlbScene& glb, CostVolume volume);
-/// Of each mesh the edges of the cells of a partition of space over it, depth by depth. Throws Error as
-/// partition_layers does.
+/// Adds the edges of the cells of a partition of space over each mesh, depth by depth. Throws Error as partition_layers
+/// does.
 void add_partitions(GlbScene& glb, PartitionKind kind);
-/// Of each convex polytope its Voronoi regions. Throws Error as voronoi_layers does.
+/// Adds the Voronoi regions of each convex polytope. Throws Error as voronoi_layers does.
 void add_voronoi(GlbScene& glb);
-/// Of each pair of convex polytopes the walk through them, visit by visit. Throws Error as voronoi_walk_layers does.
+/// Adds the walk through each pair of convex polytopes, visit by visit. Throws Error as voronoi_walk_layers does.
 void add_voronoi_walks(GlbScene& glb);
 
 }  // namespace toccata::io

@@ -76,7 +76,7 @@ BarPlot cost_plot(const std::string& workload, const std::vector<JsonValue>& row
   return plot;
 }
 
-/// Of each volume its cheapest row, which comes first.
+/// Plots the cheapest row of each volume, which comes first.
 std::string cost_svg(const JsonValue& report) {
   std::vector<std::string> workloads;
   std::vector<std::vector<JsonValue>> rows;

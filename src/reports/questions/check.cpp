@@ -178,7 +178,7 @@ std::string csv_of_tolerance(const ReportedPair& pair) {
   return "," + (pair.tolerance == ToleranceVerdict::none ? "" : name_of(pair.tolerance));
 }
 
-/// Of each pair the number of its group, from 1.
+/// The number of the group of each pair, from 1.
 std::vector<std::size_t> group_numbers_of(const CheckReport& report) {
   std::vector<std::size_t> numbers(report.pairs.size());
   for (std::size_t group = 0; group < report.groups.size(); ++group)

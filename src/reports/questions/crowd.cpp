@@ -44,7 +44,7 @@ Ball ball_around_box(const Aabb& box, Index) {
   return fit_ball_fast(corners);
 }
 
-/// By the golden angle: no two that are near in number stand alike.
+/// Turns the box by the golden angle: no two that are near in number stand alike.
 Obb turned_box(const Aabb& box, Index number) {
   const Vec3 half = 0.5 * (box.upper - box.lower);
   return {box.lower + half, rotation_about({0, 0, 1}, std::fmod(137.5 * number, 360.0)), half};

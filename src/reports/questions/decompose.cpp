@@ -37,7 +37,7 @@ std::string line_of(const DecomposeReport& report, std::size_t i) {
   return io::line_of(json);
 }
 
-/// As the pose places it: what is asked and told of it is in the world.
+/// The model as the pose places it: what is asked and answered about it is in the world.
 Model model_in_world(const SceneInstance& posed) {
   if (!posed.model.has_mesh() || posed.pose == Pose{}) return posed.model;
   const TriangleMesh& mesh = posed.model.mesh();

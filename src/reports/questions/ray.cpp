@@ -74,7 +74,7 @@ struct RayKind {
     return q;
   }
 
-  /// Of all objects the one that is met first, by (upper, place in the scene).
+  /// Finds for each ray the object that is met first of all, by (upper, place in the scene).
   static RayReport ask(const RayQuestion& question, const io::Asking& asking) {
     RayReport report;
     for (const RayQuery& ray : question.rays)

@@ -74,7 +74,7 @@ CageFeatures features_of(const io::JsonValue& value) {
   return features;
 }
 
-/// As it is in the world, so that lengths are those of the question.
+/// The cage as it is in the world, so that lengths are those of the question.
 SubdivisionCage cage_of(const SceneInstance& posed, const SubdivideQuestion& question, CageFeatures features) {
   if (!posed.model.has_mesh())
     throw Error(

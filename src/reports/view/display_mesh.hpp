@@ -18,11 +18,11 @@ struct DisplayMesh {
   bool smooth = false;       ///< a round shape, of which the triangles are no part
 };
 
-/// Of latitude, by which round shapes are drawn at their finest.
+/// The number of circles of latitude by which round shapes are drawn at their finest.
 inline constexpr int most_circles = 12;
 
-/// Of any shape but a half-space, which is drawn as the square of that half side around a point of its boundary. Round
-/// shapes are drawn as triangles inside them, of so many circles of latitude.
+/// The mesh of any shape but a half-space, which is drawn as the square of that half side around a point of its
+/// boundary. Round shapes are drawn as triangles inside them, of so many circles of latitude.
 [[nodiscard]] DisplayMesh display_mesh(const Model& model, int circles = most_circles);
 [[nodiscard]] DisplayMesh display_mesh(const HalfSpace& shape, const Vec3& centre, double half_side);
 

@@ -14,7 +14,8 @@ struct InspectFinding {
   std::size_t groups = 1;  ///< so many faults are one line, where an object has more of a kind than a list can show
 };
 
-/// Of each object itself, and then its faults: the largest hundred of each kind, and one line for all others of it.
+/// The findings of each object: the object itself, and then its faults: the largest hundred of each kind, and one line
+/// for all others of it.
 [[nodiscard]] std::vector<InspectFinding> inspect_findings(const InspectReport& report);
 
 /// Where a fault is in the world, as it is drawn.

@@ -74,9 +74,9 @@ BvhShape bvh_shape_of(const WideBvh& tree) {
   return shape;
 }
 
-/// Of which points a polyhedron is the hull: the corners where the volume tells them, else those that are farthest
-/// along directions all around. That gives all corners where each is farthest along one. Of many volumes fewer
-/// directions are taken.
+/// The points of which the drawn polyhedron is the hull: the corners where the volume tells them, else those that are
+/// farthest along directions all around. That gives all corners where each is farthest along one. For many volumes
+/// fewer directions are taken.
 template <class Volume>
 std::vector<Vec3> drawn_points(const Volume& volume, std::size_t siblings) {
   constexpr std::size_t few = 64;

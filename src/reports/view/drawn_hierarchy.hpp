@@ -37,8 +37,8 @@ struct DrawnHierarchy {
   std::vector<DrawnLevel> levels;           ///< from the root down, as long as there are at most 1,024 nodes
 };
 
-/// Of a model that has a mesh: a binary hierarchy built by the surface-area heuristic, with at most two triangles a
-/// leaf; for `wide`, boxes fitted around the nodes of the model's own tree.
+/// The hierarchy of a model that has a mesh: a binary one built by the surface-area heuristic, with at most two
+/// triangles a leaf; for `wide`, boxes fitted around the nodes of the model's own tree.
 [[nodiscard]] DrawnHierarchy drawn_hierarchy(const Model& model, CostVolume volume);
 
 /// That of each mesh of these models. Throws Error when there are more than 32, too many to be looked at.

@@ -18,7 +18,7 @@ namespace {
 
 using Cells = std::vector<PartitionCell>;
 
-/// By how many triangles a cell holds: up to each of these.
+/// Cells are drawn by how many triangles they hold: up to each of these.
 constexpr std::array<std::size_t, 4> fullness{4, 16, 64, 256};
 
 std::size_t class_of(const PartitionCell& cell) {

@@ -4,7 +4,7 @@
 
 namespace toccata::io {
 
-/// By what is finite of the box; by nothing of an empty one.
+/// Widens `around` by what is finite of the box; an empty one changes nothing.
 void widen(Aabb& around, const Aabb& box);
 
 /// Around what is finite of all boxes; where nothing is, a point.

@@ -44,7 +44,7 @@ std::optional<Rows> turn_between(const Rows& from, const Rows& to) {
   return turn;
 }
 
-/// Of a rotation, by the largest of the four (S. W. Shepperd, "Quaternion from rotation matrix", 1978).
+/// The quaternion of a rotation, by the largest of the four (S. W. Shepperd, "Quaternion from rotation matrix", 1978).
 Quaternion quaternion_of(const Rows& r) {
   const double trace = r[0][0] + r[1][1] + r[2][2];
   const std::array<double, 4> squares{1 + 2 * r[0][0] - trace, 1 + 2 * r[1][1] - trace, 1 + 2 * r[2][2] - trace,

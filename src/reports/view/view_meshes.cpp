@@ -14,7 +14,7 @@
 namespace toccata::io {
 namespace {
 
-/// Of a quadric.
+/// The half axes of a quadric; zero for any other shape.
 Vec3 half_axes_of(const Shape& shape) {
   return std::visit(
       []<class S>(const S& of_kind) -> Vec3 {

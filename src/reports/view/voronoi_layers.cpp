@@ -116,7 +116,7 @@ class VoronoiCells {
     return unit_or_zero(sum);
   }
 
-  /// Of a ball: between a direction in the middle and two on the rim.
+  /// Adds a patch of a ball, between a direction in the middle and two on the rim.
   void add_patch(const Vec3& p, const Vec3& middle, const Vec3& from, const Vec3& to) {
     const auto between = [&](const Vec3& rim, int part) {
       const double share = static_cast<double>(part) / arc_parts;

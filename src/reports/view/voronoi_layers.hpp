@@ -26,7 +26,7 @@ struct DrawnVoronoi {
   std::vector<Kind> kinds;
 };
 
-/// Of every object. Throws Error as voronoi_layers does.
+/// The drawn regions of every object. Throws Error as voronoi_layers does.
 [[nodiscard]] std::vector<DrawnVoronoi> drawn_voronoi(std::span<const SceneInstance> models);
 
 /// A layer for every convex polytope: its Voronoi regions as closed cells up to some distance, a step for each kind of

@@ -25,7 +25,7 @@ struct DrawnWalk {
   std::vector<DrawnVisit> visits;  ///< none where it is seen at once that the shapes meet
 };
 
-/// Of every pair of objects. Throws Error as voronoi_walk_layers does.
+/// The drawn walks of every pair of objects. Throws Error as voronoi_walk_layers does.
 [[nodiscard]] std::vector<DrawnWalk> drawn_voronoi_walks(std::span<const SceneInstance> models);
 
 /// A layer for every pair of convex polytopes: the walk from a vertex of each through the Voronoi regions to the

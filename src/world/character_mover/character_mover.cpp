@@ -93,7 +93,7 @@ class OneStep {
     around_.look_around(widened(way, reach + 2 * setting_.skin));
   }
 
-  /// By what has moved, and out of what it is in.
+  /// Brings it along with what has moved, and out of what it is in.
   Vec3 brought_out(MoverStep<Index>& step, std::span<const MovedIndex> moved) {
     const Vec3& from = from_.pose.offset;
     std::optional<MoverStand> stand;

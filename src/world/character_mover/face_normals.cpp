@@ -4,7 +4,7 @@
 #include <variant>
 
 namespace toccata {
-/// By Newell's sum over the corners (M. E. Newell; in I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A
+/// The normal by Newell's sum over the corners (M. E. Newell; in I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A
 /// Characterization of Ten Hidden-Surface Algorithms", 1974).
 Vec3 normal_of_face(const PosedPolytope& polytope, Index face) {
   const HullTopology topology = polytope.topology();

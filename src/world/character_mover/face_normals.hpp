@@ -6,7 +6,7 @@
 
 namespace toccata {
 
-/// Of length 1, out of the polytope; zero where its corners are rounded to a line.
+/// The normal of a face, of length 1 and out of the polytope; zero where its corners are rounded to a line.
 [[nodiscard]] Vec3 normal_of_face(const PosedPolytope& polytope, Index face);
 
 /// The unit normals of those faces of a convex polytope that have a point, within a tolerance, turned as `outward` is;

@@ -175,8 +175,8 @@ std::optional<MoverSurroundings::Met> MoverSurroundings::meeting_with(const Leve
   return Met{time, &thing, false};
 }
 
-/// Of what is met at a time, the nearest then: of several elements that lie in one plane that over which the body is.
-/// So an edge between two of them is no obstacle.
+/// The nearest, at a time, of what is met then: among several elements that lie in one plane, that over which the body
+/// is. So an edge between two of them is no obstacle.
 std::optional<MoverMeeting> MoverSurroundings::nearest_of(std::span<const Met> met, double time, const Vec3& position,
                                                           const Vec3& motion) const {
   std::optional<MoverMeeting> nearest;

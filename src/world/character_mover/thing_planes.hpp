@@ -27,7 +27,7 @@ struct ThingPlanes {
   std::size_t count = 0;  ///< 0: of other sets, and of what is flat or nearly so
   double extent = 0;      ///< the greatest coordinate
   double radius = 0;      ///< of a ball by which the polytope is grown
-  /// Of a triangle: the first two are those of its face, and the others at right angles to them.
+  /// The planes are those of a triangle: the first two are those of its face, and the others at right angles to them.
   bool is_triangle = false;
 };
 

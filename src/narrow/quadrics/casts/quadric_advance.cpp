@@ -35,7 +35,7 @@ class NearestSeen {
     return true;
   }
 
-  /// From anew; false where nothing parts them.
+  /// Searches from anew; false where nothing parts them.
   bool search(const PlainBody& a, const PlainBody& b) {
     QuadricSearch search(a, b, direction_);
     FastRefinement refinement(a, b);

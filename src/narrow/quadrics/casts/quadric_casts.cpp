@@ -88,7 +88,7 @@ class QuadricCast {
     return free_until_ = std::fmax(free_until_, separated_until(fine(begun.direction)));
   }
 
-  /// They meet within the width from here; nothing when that is not certain.
+  /// The cast that meets within the width from here; nothing when that is not certain.
   std::optional<Cast> met_soon(const QuadricAdvance& begun) {
     const double late = std::fmin(1, free_until_ + time_width);
     if (is_met_where_nearest(begun, late)) return met(late, QuadricContact::contact);
@@ -109,7 +109,7 @@ class QuadricCast {
     return b_.quadric_kind() ? is_within(b_, of_a) : box_.holds(of_a);
   }
 
-  /// From plane to plane, until they are no longer told apart. Returns until when they are free.
+  /// Goes from plane to plane, until they are no longer known to be apart. Returns until when they are free.
   double advance(double limit) {
     for (int step = 0; step < most_quadric_cast_steps; ++step) {
       const QuadricNearest now = at(free_until_);
@@ -147,7 +147,7 @@ class QuadricCast {
     return time == time ? time : 0;
   }
 
-  /// From the time until which they are free to one at which they have met.
+  /// The cast narrowed from the time until which they are free to one at which they have met.
   Cast narrowed() {
     double late = 1;
     QuadricContact meets = QuadricContact::undecided;

@@ -6,7 +6,7 @@
 namespace toccata {
 namespace {
 
-/// Of the surface in the frame in which it is round, where the line enters it.
+/// The normal of the surface, in the frame in which it is round, where the line enters it.
 template <QuadricKind Kind, class Number>
 Vec3 normal_where_entered(const RoundLine<Number>& line, const RayStretch<Number>& stretch) {
   using End = typename RayStretch<Number>::End;

@@ -8,7 +8,7 @@
 namespace toccata {
 namespace {
 
-/// Of the length of a side.
+/// What parts of a side may be off by, as a share of its length.
 constexpr double rounding_of_parts = 0x1p-44;
 
 /// A direction across the normal: in the plane of two axes, of the two that are most across it.
@@ -27,7 +27,7 @@ void lean(ContactPatch& patch, const Vec3& normal) {
   patch.slope_y = -normal.y / normal.z;
 }
 
-/// From the first axis on to the second one, around.
+/// The quarter that a point is in, from the first axis on to the second one, around.
 Index quarter(const Vec3& u) {
   if (u.x > 0 && u.y >= 0) return 0;
   if (u.x <= 0 && u.y > 0) return 1;
@@ -134,7 +134,7 @@ class FlatSides {
     lean(patch_, normal);
   }
 
-  /// Of the edges at the farthest vertex the one most across the direction, if one is so at all.
+  /// The edge at the farthest vertex that is most across the direction, if one is so at all.
   [[nodiscard]] Index most_across() const {
     const HullTopology topology = shape_.topology();
     const Index start = topology.leaving[face_.vertex];

@@ -51,7 +51,7 @@ struct ContactPatch {
 
   explicit ContactPatch(std::pmr::memory_resource& memory) : corners(&memory) {}
 
-  /// Of its points at (x, y), which may be beyond its sides.
+  /// The height of its point at (x, y), which may be beyond its sides.
   [[nodiscard]] double height(const Vec3& at) const;
   /// What a disc's point is the image of, on it or beyond; the third is 0.
   [[nodiscard]] Vec3 on_unit_disc(const Vec3& at) const;

@@ -66,8 +66,8 @@ void clip_by_polygon(Clip& clip, const ContactPatch& polygon, const Vec3& p, con
     clip.take_off(beyond(polygon, i, p), beyond(polygon, i, q), polygon.corners[i].to_next);
 }
 
-/// Of the part of the way that is the nearest to the disc's middle, where the disc's units are the finest: what is far
-/// from a slim disc would lose all digits of where the way enters it.
+/// Clips by a disc, from the part of the way that is the nearest to the disc's middle, where the disc's units are the
+/// finest: what is far from a slim disc would lose all digits of where the way enters it.
 void clip_by_disc(Clip& clip, const ContactPatch& disc, const Vec3& p, const Vec3& q) {
   const Vec3 along = q - p, from_p = disc.on_unit_disc(p), way = disc.on_unit_disc(q) - from_p;
   const double a = flat_dot(way, way);

@@ -44,11 +44,11 @@ QuadricNearest nearest_when_parted(const QuadricBody& a, const QuadricBody& b, c
   return nearest_of(a.moved(exactly(-way)), b, QuadricQuestion::distance);
 }
 
-/// Of bodies that hardly meet, a direction along which they overlap hardly at all: A − B has a surface at the origin,
-/// and no inside from which to look for it. But A made smaller by a part ε of its size, around its middle, is apart
-/// from B, and has a proved direction to the nearest point d. With heights h seen from the middle, A and B overlap
-/// along d by no more than ε (h(d) − h(n)), where n is a direction along which they do not: the less the smaller ε is,
-/// and the nearer d comes to n.
+/// Finds, for bodies that hardly meet, a direction along which they overlap hardly at all: A − B has a surface at the
+/// origin, and no inside from which to look for it. But A made smaller by a part ε of its size, around its middle, is
+/// apart from B, and has a proved direction to the nearest point d. With heights h seen from the middle, A and B
+/// overlap along d by no more than ε (h(d) − h(n)), where n is a direction along which they do not: the less the
+/// smaller ε is, and the nearer d comes to n.
 class TouchingPair {
  public:
   TouchingPair(const QuadricBody& a, const QuadricBody& b) : a_(a), b_(b) {}
@@ -89,7 +89,7 @@ class TouchingPair {
 };
 
 QuadricSeparation first_separation(const QuadricBody& a, const QuadricBody& b, const QuadricNearest& met) {
-  // Of a point that exact signs found in both it is open whether it is an inner one.
+  // It is open whether a point that exact signs found in both is an inner one.
   if (met.contact != QuadricContact::contact || met.shared)
     return TouchingPair(a, b).least(met.shared ? met.shared->normal : Vec3{});
   const Penetration least = least_depth(a, b);
@@ -117,7 +117,7 @@ bool is_refined(QuadricSeparation& separation, const QuadricBody& a, const Quadr
   return false;
 }
 
-/// Of what Newton's method in doubles ends with.
+/// The point of a side as Newton's method in doubles ends with it.
 Vec3 point_of_side(const PlainBody& body, const FastSide& side) {
   Vec3 point = side.grown_weight() * body.map(side.round);
   for (std::size_t i = 0; i < side.size; ++i) point = point + side.weight[i] * body.plain_centre(side.generator[i]);

@@ -5,7 +5,7 @@
 // How bodies that meet are parted the shortest way, surfaces too. In the pair's frame.
 namespace toccata {
 
-/// Of bodies that certainly have a common inner point, the direction along which B has to move the least, but for what
+/// For bodies that certainly have a common inner point, the direction along which B has to move the least, but for what
 /// was not found; A is made of a quadric.
 [[nodiscard]] Penetration least_depth(const QuadricBody& a, const QuadricBody& b);
 

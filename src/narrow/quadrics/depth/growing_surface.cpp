@@ -54,7 +54,7 @@ void GrowingSurface::measure(std::size_t f, const Vec3& product) {
   normal_x_[f] = normal.x;
   normal_y_[f] = normal.y;
   normal_z_[f] = normal.z;
-  // Of the corner that is nearest to the origin, as that of a shallow place is, rounding takes the least.
+  // The height at the corner that is nearest to the origin, as that of a shallow place is, loses the least to rounding.
   pending_[f] = height_[f] = dot(normal, corner(nearest_first(f)[0]));
 }
 

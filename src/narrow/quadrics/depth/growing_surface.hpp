@@ -41,7 +41,7 @@ class GrowingSurface {
   [[nodiscard]] bool is_vacant(std::size_t f) const { return slots_.is_vacant(f); }
   /// Outwards, unit but for rounding.
   [[nodiscard]] Vec3 normal(std::size_t f) const { return {normal_x_[f], normal_y_[f], normal_z_[f]}; }
-  /// Of its plane along the normal; infinite of a vacant slot.
+  /// The height of its plane along the normal; infinite for a vacant slot.
   [[nodiscard]] double height(std::size_t f) const { return height_[f]; }
   [[nodiscard]] FacetSlots::Corners corners_of(std::size_t f) const { return slots_.corners(f); }
   /// That of the facet's corners which is nearest to the origin is the first of them.
@@ -58,12 +58,12 @@ class GrowingSurface {
   bool add(const Corner& corner, std::size_t beyond);
 
   /// The facet's plane is certainly higher than that where each of its corners is off by no more than `error`, which is
-  /// at least 2⁻⁵⁰ of what the corners' coordinates and these' parts are. Of doubles alone.
+  /// at least 2⁻⁵⁰ of what the corners' coordinates and these' parts are. It is decided in doubles alone.
   [[nodiscard]] bool is_surely_above(std::size_t f, double height, double error) const;
 
  private:
   void set(std::size_t i, const Corner& corner);
-  /// Of three corners, across their plane; of any length.
+  /// A vector across the plane of three corners, of any length.
   [[nodiscard]] Vec3 across(std::size_t i, std::size_t j, std::size_t k) const;
   void measure(std::size_t f, const Vec3& product);
   void vacate(std::size_t f);

@@ -10,8 +10,8 @@ namespace {
 
 /// More than what the sums of products here are off by, as a part of the sum of the magnitudes.
 constexpr double rounding_of_sums = 0x1p-49;
-/// Of the way from the point through which the axis goes to one of the pairs' points, where not all of these have the
-/// round parts.
+/// The most that is gone of the way from the point through which the axis goes to one of the pairs' points, where not
+/// all of these have the round parts.
 constexpr double most_part = 0.25;
 
 double least_eigenvalue(const std::array<double, 3>& m) {

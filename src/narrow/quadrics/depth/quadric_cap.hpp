@@ -47,16 +47,17 @@ template <class Number>
 ///     h + p · x + ½ xᵀG x   high for |x| ≤ t,
 ///
 /// where p is their point that is highest along d, h its height, and G the curvature radii of the round parts of A and
-/// B there, which are taken less the larger t is. For a round part |Mᵀ(d + x)| that follows from
-/// √(a² + b²) ≥ a + b² / (2a + b² / 2a), with a and b the parts of Mᵀ(d + x) along Mᵀd and across it. Of several pairs
-/// the highest counts: two are the ends of an edge of A − B, three corners of a face, which may be round across. Where
-/// the axis goes between their points and A − B is flatter than the ball of radius h, as where it is nearest to the
-/// origin, no direction of the cap |x| ≤ t has a lower height than h.
+/// B there, which are taken less the larger t is. For a round part |Mᵀ(d + x)| that follows from √(a² + b²) ≥ a + b² /
+/// (2a + b² / 2a), with a and b the parts of Mᵀ(d + x) along Mᵀd and across it. Where there are several pairs, the
+/// highest counts: two are the ends of an edge of A − B, three corners of a face, which may be round across. Where the
+/// axis goes between their points and A − B is flatter than the ball of radius h, as where it is nearest to the origin,
+/// no direction of the cap |x| ≤ t has a lower height than h.
 class QuadricCap {
  public:
-  /// Of the generators that are highest along the axis.
+  /// The cap of the generators that are highest along the axis.
   QuadricCap(const QuadricBody& a, const QuadricBody& b, const HighestPoint& highest);
-  /// Of up to three pairs, which need not be the highest ones: what is told is then still no more than the height.
+  /// The cap of up to three pairs, which need not be the highest ones: what is told is then still no more than the
+  /// height.
   QuadricCap(const QuadricBody& a, const QuadricBody& b, const Vec3& axis, std::span<const GeneratorPair> generators);
 
   [[nodiscard]] const Vec3& axis() const { return axis_; }

@@ -27,7 +27,7 @@ class DeepPair {
 
   [[nodiscard]] bool certainly_meet() const { return result_.lower > 0; }
 
-  /// Of bodies that have a common inner point.
+  /// The least depth of bodies that have a common inner point.
   Penetration answer() {
     if (!found_) search();
     take(fine(expansion_.direction()));
@@ -91,7 +91,7 @@ Penetration least_depth(const QuadricBody& a, const QuadricBody& b) { return Dee
 
 namespace {
 
-/// Of what has no inner point in common, as far as is known.
+/// The penetration of bodies that have no inner point in common, as far as is known.
 Penetration shallow_penetration(const QuadricNearest& near) {
   Penetration result;
   if (near.contact == QuadricContact::apart) return result;

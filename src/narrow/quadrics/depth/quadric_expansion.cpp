@@ -174,7 +174,7 @@ bool QuadricExpansion::is_between(const Vec3& axis, std::span<const Vec3> points
   return std::all_of(share.begin(), share.end(), [&](double s) { return s * total >= -most_beyond * total * total; });
 }
 
-/// Of the facet's corners and the highest point above it.
+/// Raises an edge or a face of the facet's corners and the highest point above it.
 bool QuadricExpansion::raise_edge_or_face(std::size_t facet, const HighestPoint& here, double gain) {
   std::array<GeneratorPair, 4> pair{here.generators()};
   std::array<Vec3, 4> point{here.point};
@@ -211,7 +211,7 @@ bool QuadricExpansion::raise_around(const Vec3& axis, std::span<const GeneratorP
     if (i == 1 && !(cap.height() < 1.25 * upper_ + same_height)) return false;
   }
   const double highest = offer(HighestPoint(a_, b_, cap.axis()));
-  // Of a shallow place rounded heights tell nothing; the point between the pairs' is refined.
+  // Rounded heights tell nothing of a shallow place; the point between the pairs' is refined.
   if (!(cap.height() > highest - 8 * same_height)) return false;
   if (cap.height() < shallow) cap.refine();
   offer(cap.height(), cap.axis());
@@ -249,7 +249,7 @@ double QuadricExpansion::proved_height(const std::array<VectorOf<Number>, 3>& co
   return height > 0 ? height : 0;
 }
 
-/// Of the facet's corners, the one that is nearest to the origin comes first: its height is the least rounded.
+/// The facet's corner that is nearest to the origin comes first: its height is the least rounded.
 template <class Number>
 double QuadricExpansion::proved_height(std::size_t facet) const {
   const auto [i, j, k] = surface_.nearest_first(facet);

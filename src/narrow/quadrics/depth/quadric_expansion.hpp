@@ -14,8 +14,8 @@
 
 namespace toccata {
 
-/// Of the cap of directions that a raised corner stands for, s times the axis, where only heights below L matter: its
-/// tangent, no less. Of the axis' length, 1 but for 3 roundings, and of those here, 4, a fifth of the 32 is taken.
+/// The tangent, no less, of the cap of directions that a raised corner stands for, s times the axis, where only heights
+/// below L matter. The axis' length, 1 but for 3 roundings, and those here, 4, take a fifth of the 32.
 [[nodiscard]] inline double tangent_of_raised(double times, double least) {
   const double ratio = times / least * (1 + 0x1p-48);
   return std::sqrt(std::fmax(ratio * ratio - 1, 0));

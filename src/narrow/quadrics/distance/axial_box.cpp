@@ -55,7 +55,7 @@ class AxialBox {
   }
 
   [[nodiscard]] std::optional<FastDistance> proved() const;
-  /// By the plane across what is between the middles.
+  /// Whether the plane across the line between the middles parts the two.
   [[nodiscard]] bool is_parted_between_middles() const;
   /// Where the search ended.
   [[nodiscard]] bool is_box_met_within() const;
@@ -196,7 +196,7 @@ struct BoxPoint {
   bool is_corner = true;
 };
 
-/// As PosedPolytope numbers corners.
+/// The nearest corner, numbered as PosedPolytope numbers corners.
 Index nearest_corner(const Vec3& at) { return (at.x > 0 ? 1U : 0U) + (at.y > 0 ? 2U : 0U) + (at.z > 0 ? 4U : 0U); }
 
 BoxPoint box_point(const PosedPolytope& box, const Vec3& at) {

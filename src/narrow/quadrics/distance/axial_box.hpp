@@ -12,8 +12,8 @@ namespace toccata {
 /// Newton's method along edges. What it does not answer, any other pair of shapes among it, is left to `FastPair`.
 [[nodiscard]] std::optional<FastDistance> axial_box_distance(const PosedQuadric& a, const PosedPolytope& b);
 
-/// Of such a pair, apart or contact where that is certain: contact, where the search comes to a point of the box that
-/// lies within the round shape.
+/// The contact of such a pair, apart or contact where that is certain: contact, where the search comes to a point of
+/// the box that lies within the round shape.
 [[nodiscard]] std::optional<QuadricContact> axial_box_contact(const PosedQuadric& a, const PosedPolytope& b);
 
 }  // namespace toccata

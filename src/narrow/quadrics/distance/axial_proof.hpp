@@ -42,10 +42,10 @@ template <AxialKind Kind>
 /// the length e, are off by together along a direction of the length L = 1.
 ///
 /// n: 3 u L each, so 4.3 u L of the first two. The rim 4.3 r for each of two uses of n, 3.5 + 2 of the length and the
-/// product, 2 of the sum; of the axis 3 · 2 h, 4 h of the differences and products, 2 h and 2 r of sums: in all
-/// u L (18.1 r + 12.1 h), the cylinder less. Of the box: 4 u for each height, of corners no farther than 2.1 e:
-/// u L 8.4 e; where there are steps from its corner, their 3 u e, 3 u for their product, and 3 u e of the difference:
-/// u L 9.1 e more.
+/// product, 2 of the sum; of the axis 3 · 2 h, 4 h of the differences and products, 2 h and 2 r of sums: in all u L
+/// (18.1 r + 12.1 h), the cylinder less. The box adds 4 u for each height, of corners no farther than 2.1 e: u L 8.4 e;
+/// where there are steps from its corner, their 3 u e, 3 u for their product, and 3 u e of the difference: u L 9.1 e
+/// more.
 [[nodiscard]] inline double rounding_beyond(double r, double h, double e, bool is_corner) {
   return unit_roundoff * ((20.5 * r + 13.7 * h) + (is_corner ? 9.5 : 20) * e);
 }

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-/// Of a pair of size 1: a few thousand roundings, and what nearest points may be off by along a round side.
+/// In a pair of size 1: a few thousand roundings, and what nearest points may be off by along a round side.
 constexpr double few_thousand_roundings = 0x1p-40, along_sides = 0x1p-18;
 
 /// More places than this of one shape are not tried as points of both.
@@ -66,7 +66,7 @@ class CommonPointSearch {
   /// With coordinates of places, and the others as they are, with few digits, or moved a little inwards.
   bool is_beside(const Vec3& near, double off, Take take) {
     Placed point{near};
-    // Of both, those of A come first.
+    // Where those of both are taken, those of A come first.
     if (take != Take::a) take_places(point, near, b_, off);
     if (take != Take::b) take_places(point, near, a_, off);
     if (is_common(point.at) || is_common(on_grid(point, off).at)) return true;

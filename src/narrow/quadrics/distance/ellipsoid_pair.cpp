@@ -16,14 +16,14 @@ namespace {
 
 constexpr int most_ellipsoid_steps = 10;
 constexpr int most_blind_steps = 3;
-/// Of what an ellipsoid reaches.
+/// A share of what an ellipsoid reaches.
 constexpr double blind_part = 0.1;
 /// What is left after a turn this small, squared, is about its square.
 constexpr double small_turn_squared = 0x1p-46;
-/// Of half axes: that the squares of S do not hide the shorter ones.
+/// The greatest ratio of half axes: that the squares of S do not hide the shorter ones.
 constexpr double most_slim = 64;
 
-/// By its upper half.
+/// A symmetric matrix, by its upper half.
 struct EllipsoidMatrix {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };

@@ -14,8 +14,8 @@ namespace toccata {
 [[nodiscard]] std::optional<FastDistance> ellipsoid_distance(const PosedQuadric& a, const PosedQuadric& b,
                                                              const Vec3& first_direction);
 
-/// Of such a pair, apart or contact where that is certain: by the first direction on that way across which they are
-/// apart, or where the line between the middles leaves neither before it enters the other.
+/// The contact of such a pair, apart or contact where that is certain: by the first direction on that way across which
+/// they are apart, or where the line between the middles leaves neither before it enters the other.
 [[nodiscard]] std::optional<QuadricContact> ellipsoid_contact(const PosedQuadric& a, const PosedQuadric& b);
 
 /// Points are drawn in by this part, as in fast_proof.cpp.

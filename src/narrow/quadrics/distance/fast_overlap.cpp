@@ -25,7 +25,7 @@ namespace {
 constexpr double corner_off = 256 * unit_roundoff;
 constexpr double volume_off = 2048 * unit_roundoff;
 
-/// Of a vector that is no longer than 1, but for rounding, which is 5 u: squares and sums round by 4 u.
+/// Whether a vector is no longer than 1, but for rounding, which is 5 u: squares and sums round by 4 u.
 bool is_within_unit_ball(const Vec3& round) { return dot(round, round) <= 1 + 15 * unit_roundoff; }
 
 /// The faces of four corners in the order in which all look outwards, or all inwards; each across from one of them.

@@ -11,7 +11,7 @@ namespace toccata {
 /// `PlainBody::height_at_most`.
 [[nodiscard]] bool are_surely_around_origin(std::span<const QuadricSearch::Corner> corners);
 
-/// Of such corners: a point of both bodies, but for rounding.
+/// A point of both bodies, made of such corners, but for rounding.
 [[nodiscard]] Vec3 common_point_of(std::span<const QuadricSearch::Corner> corners);
 
 }  // namespace toccata

@@ -17,7 +17,7 @@ constexpr double rounding_in_pair = 0x1p-44;
 
 double gap_rounding(const PosedQuadric&, const PairFrame&) { return rounding_in_pair; }
 
-/// Of a hull that is looked at in its own frame the farthest vertex is found there: in the world any two may change
+/// The farthest vertex of a hull that is looked at in its own frame is found there: in the world any two may change
 /// their places by what rounding does to them there (close_rise.hpp), which is much where the hull is far from the
 /// origin.
 double gap_rounding(const PosedPolytope& b, const PairFrame& frame) {

@@ -43,7 +43,7 @@ class LongSum {
     rest_ += product.low;
   }
   [[nodiscard]] double value() const { return sum_ + rest_; }
-  /// Of up to 24 terms: u of the value, and 24² u² of the magnitudes.
+  /// The error of up to 24 terms: u of the value, and 24² u² of the magnitudes.
   [[nodiscard]] double error() const {
     return 2 * unit_roundoff * std::fabs(value()) + 2000 * unit_roundoff * unit_roundoff * size_;
   }
@@ -76,8 +76,8 @@ Products along_columns(const Mat3& m, const Vec3& d) {
 double length_from_above(const Vec3& error) { return 1.01 * plain_length(error); }
 
 /// At most what the image of the unit ball reaches beyond the image of p, |p| ≤ 1, along a direction whose product with
-/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). Of two or three dimensions. The coordinates of p
-/// may be off by 2 u of themselves.
+/// the map is m: |m| − m · p ≤ |m| (1 − |p|) + |m × p|² / (2 m · p). It holds in two and three dimensions. The
+/// coordinates of p may be off by 2 u of themselves.
 double beyond_round(const Vec3& m, const Vec3& error, const Vec3& p) {
   const double off = length_from_above(error), length = plain_length(m), part = plain_length(p);
   // 2.5 u of the length, 3 u of the product, 2 u of p, 2 u each of the difference and of the sum.
@@ -165,7 +165,7 @@ class LocalPoint {
                     -(nz * down) + 2 * (error * down) + 4 * unit_roundoff * std::fabs(nz * down));
   }
 
-  // Of the terms that nearly cancel, each difference rounds no more than the next term and what is left.
+  // Each difference of the terms that nearly cancel rounds no more than the next term and what is left.
 
   /// 2.5 u of the length, 3 u of the product, u of p; 2 u of the rise, u of the difference; 3 u of what is left.
   [[nodiscard]] double beyond_base(const Products& n, const Vec3& across, const Vec3& error, const Vec3& p) const {

@@ -32,7 +32,7 @@ struct FastDistance {
   return found.lower > 0 && found.upper - found.lower <= 1e-11 * found.upper;
 }
 
-// Of pairs of moderate size, half axes and radii.
+// The following are for pairs of moderate size, half axes and radii.
 
 /// Where the interval is no wider than 10⁻¹² of its upper end.
 [[nodiscard]] std::optional<FastDistance> proved_distance(const PosedQuadric& a, const PosedQuadric& b,

@@ -166,7 +166,7 @@ FastRefinement::Step FastRefinement::step() {
   return size < small_turn ? Step::small : Step::far;
 }
 
-/// By a vector across the direction.
+/// Turns the direction by a vector across it.
 void FastRefinement::turn_by(const Vec3& turn, double squared) {
   const Vec3 turned = direction_ + turn;
   // The series of 1 / √(1 + squared) is as good as doubles are there, and sooner known.

@@ -26,7 +26,7 @@ struct NearestFineFace {
   FineVector point{};
   DoubleWord squared{HUGE_VAL, 0};
 
-  /// Of the relative interiors of all faces, the nearest point counts.
+  /// Takes the point if it is nearer: the nearest point of the relative interiors of all faces counts.
   void offer(unsigned bits, const FineVector& at) {
     const DoubleWord now = inner(at, at);
     if (!(kept == 0 || is_less(now, squared))) return;
@@ -55,7 +55,7 @@ class FineSimplex {
     size_ = kept;
   }
 
-  /// Of a tetrahedron with the origin inside, with the weights that make it.
+  /// The corners of a tetrahedron with the origin inside, with the weights that make it.
   [[nodiscard]] std::array<QuadricSearch::Corner, 4> corners() const {
     std::array<QuadricSearch::Corner, 4> corner = corner_;
     double total = 0;
@@ -130,7 +130,7 @@ class FineSimplex {
   std::size_t size_ = 0;
 };
 
-/// Of length 1 but for rounding.
+/// The direction of a vector, of length 1 but for rounding.
 FineDirection unit_of(const FineVector& p) {
   const double largest = largest_magnitude(high_parts(p));
   if (!(largest > 0) || !std::isfinite(largest)) return {};

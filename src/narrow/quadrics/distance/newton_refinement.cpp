@@ -117,7 +117,7 @@ void NewtonRefinement::begin(const FastRefinement& guess) {
   begin_distance();
 }
 
-/// Of the points that the sides begin with.
+/// The distance of the points that the sides begin with.
 void NewtonRefinement::begin_distance() {
   const Vec3 d{direction_[0].high, direction_[1].high, direction_[2].high};
   const VectorOf<double> exact = vector_as<double>(direction_);

@@ -19,7 +19,7 @@ class PivotedSystem {
   [[nodiscard]] double& at(std::size_t row, std::size_t column) { return entry_[row][column]; }
   [[nodiscard]] double& right(std::size_t row) { return entry_[row][size_]; }
 
-  /// By elimination with the largest pivot of all. Changes the equations.
+  /// Solves the equations by elimination with the largest pivot of all. Changes them.
   [[nodiscard]] std::array<double, most> solve();
 
  private:

@@ -49,7 +49,7 @@ Distance in_world(const QuadricNearest& found, const PairFrame& frame) {
   return result;
 }
 
-/// Of pairs that have a way of their own.
+/// The contact of pairs that have a way of their own.
 std::optional<QuadricContact> closed_contact(const PosedQuadric& a, const PosedQuadric& b) {
   return ellipsoid_contact(a, b);
 }
@@ -67,7 +67,7 @@ QuadricContact contact_of(const PosedQuadric& a, const B& b) {
   return nearest_of(a, pair.a, b, pair.b, QuadricQuestion::meeting).contact;
 }
 
-/// Of pairs that have a way of their own.
+/// The distance of pairs that have a way of their own.
 std::optional<FastDistance> closed_distance(const PosedQuadric& a, const PosedQuadric& b, const Vec3& direction) {
   return ellipsoid_distance(a, b, direction);
 }

@@ -24,7 +24,7 @@ class QuadricNearestSearch {
   QuadricNearestSearch(const QuadricBody& a, const QuadricBody& b)
       : a_(a), b_(b), search_(a, b, plain(a.middle_point()) - plain(b.middle_point())), refinement_(a, b) {}
 
-  /// By the first plane that the search comes across.
+  /// Whether the first plane that the search comes across proves the two apart.
   bool proves_apart() {
     search_.run_until_apart();
     return search_.best_gap() > 0 && improve_lower<BoundedDouble>(fine(search_.best_direction()));
@@ -39,7 +39,7 @@ class QuadricNearestSearch {
 
   [[nodiscard]] const QuadricNearest& best() const { return best_; }
 
-  /// By the search and Newton's method: true when nothing more is to be asked.
+  /// Whether the search and Newton's method have decided, so that nothing more is to be asked.
   bool is_decided() {
     for (const double part : {1e-3, 1e-7, 1e-11, 0.0}) {
       search_.run(part);

@@ -11,7 +11,7 @@
 // Number is BoundedDouble where that does, else BoundedNumber.
 namespace toccata {
 
-/// Of a distance or a depth: how much of it its interval may be wide.
+/// The width that the interval of a distance or a depth may have, as a share of it.
 inline constexpr double relative_width = 1e-12;
 
 /// A direction of about 106 bits, taken as it is.

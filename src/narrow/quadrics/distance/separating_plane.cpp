@@ -33,7 +33,7 @@ IntegerVector shortened(IntegerVector v) {
   return v;
 }
 
-/// Of planes that touch the shape at the point, which is on its boundary.
+/// The normals of planes that touch the shape at the point, which is on its boundary.
 Normals outward_normals(const PosedQuadric& shape, const Vec3& point) {
   const UnitPlace place = unit_place(exact_place(shape, point));
   Normals found;

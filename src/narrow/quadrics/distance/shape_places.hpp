@@ -32,7 +32,7 @@ void visit_places(const PosedQuadric& shape, const Visit& visit) {
   with_kind(shape.kind(), [&](auto kind) { kind.visit_places(middle, {x, y, z}, visit, visit_around); });
 }
 
-/// Of a convex one the vertices, and the points beside them at the radius.
+/// For a polytope, shows the vertices, and the points beside them at the radius.
 template <class Visit>
 void visit_places(const PosedPolytope& shape, const Visit& visit) {
   for (Index i = 0; i < shape.vertex_count(); ++i) {

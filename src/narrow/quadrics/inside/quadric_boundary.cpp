@@ -43,7 +43,7 @@ class DepthSearch {
     return true;
   }
 
-  /// Of caps, where the foot is what is nearest to the point in the plane.
+  /// Looks at the planes of caps, where the foot is what is nearest to the point in the plane.
   void look_at_planes() {
     if (unit_.caps() == 0) return;
     const BoundedVector& up = unit_.row(2);

@@ -48,7 +48,7 @@ BoundedNumber top_of(const QuadricBody& body, const BoundedVector& normal) {
   return top;
 }
 
-/// By all faces of the world vertices' hull, which is the shape.
+/// Decides by all faces of the world vertices' hull, which is the shape.
 Within is_held_by_polytope(const QuadricBody& held, const PosedPolytope& by, const PairFrame& frame) {
   const ConvexHull hull(vertices_of(by));
   if (hull.dimension() < 3) return Within::no;

@@ -6,7 +6,8 @@
 namespace toccata {
 namespace {
 
-/// Of two that overlap: a containment that is proved, or that none is known to be.
+/// The relation of two that overlap, with the containment that is proved, if one is; else the status says whether it is
+/// open.
 Relation with_containment(Relation relation, Within a_in_b, Within b_in_a) {
   if (a_in_b == Within::yes || b_in_a == Within::yes) {
     relation.containment = a_in_b == b_in_a        ? Containment::equal

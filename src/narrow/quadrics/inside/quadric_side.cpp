@@ -8,7 +8,7 @@
 namespace toccata {
 namespace {
 
-/// By what is greater than 0 outside, with twice the digits, where that tells.
+/// The side by what is greater than 0 outside, with twice the digits, where that decides it.
 std::optional<Sign> bounded_side(const PosedQuadric& shape, const Vec3& point) {
   const PairFrame frame = pair_frame(shape, shape);
   const UnitFrame unit{QuadricBody(shape, frame)};

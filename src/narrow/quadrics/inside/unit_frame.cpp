@@ -18,7 +18,7 @@ struct QuadraticForm {
   std::size_t dimensions = 0;
 };
 
-/// Of the quadric, less its level, at the points of a generator.
+/// The form of the quadric, less its level, at the points of a generator.
 QuadraticForm form_of(const UnitFrame& shape, const UnitGenerator& generator) {
   const BoundedNumber last = exactly(shape.last_sign());
   const auto product = [&](const BoundedVector& u, const BoundedVector& v) {

@@ -9,7 +9,7 @@
 
 namespace toccata {
 
-/// What is known of one set in another. Of several sets together the greatest counts.
+/// What is known of one set in another. The greatest counts for several sets together.
 enum class Within : std::uint8_t {
   yes,         ///< proved
   unfinished,  ///< a bounded search ended early
@@ -17,7 +17,7 @@ enum class Within : std::uint8_t {
   no,          ///< proved
 };
 
-/// Of what reaches so far beyond the other.
+/// What is known of a set that reaches so far beyond the other.
 inline Within from_sign(const BoundedNumber& excess) {
   if (excess.is_negative()) return Within::yes;
   return excess.is_positive() ? Within::no : Within::undecided;

@@ -15,7 +15,8 @@ struct WordEigen {
   std::array<VectorOf<DoubleWord>, 3> axis;
 };
 
-/// Of a symmetric matrix, off by some 2⁻¹⁰⁰ of its greatest entry: by rotations (C. G. J. Jacobi, 1846).
+/// The eigenvalues and axes of a symmetric matrix, off by some 2⁻¹⁰⁰ of its greatest entry: by rotations (C. G. J.
+/// Jacobi, 1846).
 [[nodiscard]] WordEigen word_eigen(std::array<VectorOf<DoubleWord>, 3> matrix);
 
 }  // namespace toccata

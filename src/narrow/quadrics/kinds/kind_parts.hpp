@@ -27,12 +27,12 @@ struct AxialFoot {
   bool outside = true;  ///< else nothing else is told
 };
 
-/// Of a − √b, where b is not negative.
+/// The sign of a − √b, where b is not negative.
 inline Sign sign_of_less_root(const WideInteger& a, const WideInteger& b) {
   return a < 0 ? Sign::negative : sign_of(a * a - b);
 }
 
-/// Of numbers that are positive outside.
+/// The greatest sign of numbers that are positive outside.
 inline Sign greatest_sign(std::initializer_list<WideInteger> numbers) {
   Sign greatest = Sign::negative;
   for (const WideInteger& number : numbers) greatest = std::max(greatest, sign_of(number));
