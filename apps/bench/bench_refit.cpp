@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t probe_count = 200;
 
-/// The mesh as a jelly: waves of 2 % of its size run through it. Of floats, which is what some peers take.
+/// The mesh as a jelly: waves of 2 % of its size run through it. Its coordinates are floats, which is what some peers
+/// take.
 TriangleMesh frame_of(const TriangleMesh& mesh, int frame) {
   const Aabb box = fit_aabb(mesh.vertices());
   const Vec3 size = box.upper - box.lower;

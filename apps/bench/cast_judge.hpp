@@ -15,7 +15,7 @@ struct AnsweredCasts {
   std::vector<CastAnswer> answers;
 };
 
-/// Counts disagreements and wrong answers into the results, of which the first is Toccata's. Of Toccata's interval the
+/// Counts disagreements and wrong answers into the results, of which the first is Toccata's. For Toccata's interval the
 /// shapes have to be apart at the lower end and before, and to meet at the upper; a peer's shapes must neither be
 /// farther apart at its time than the tolerance, nor have overlapped deeper before; one that tells a miss must be right
 /// but for as deep an overlap. All by 60 digits.

@@ -23,7 +23,8 @@ namespace toccata::command {
 [[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);
 
 /// A box in the world to look at: around the points in which the two meet or are near, or the object that lies inside
-/// the other; where the answer tells none, around what both may hold. Of what has no end, a box about the origin.
+/// the other; where the answer tells none, around what both may hold. For what has no end, it is a box about the
+/// origin.
 [[nodiscard]] Aabb place_of(const Scene& scene, const ReportedPair& pair);
 
 /// 32 hexadecimal digits that are the same for the same words, in runs of every day and machine.

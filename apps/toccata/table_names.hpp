@@ -9,7 +9,7 @@
 namespace toccata::command {
 
 /// The names of objects as a table shows them: printable, and where one is longer than 40 characters without its
-/// middle, "begin…end". Of different names no two become equal: more of them is left.
+/// middle, "begin…end". No two different names become equal: more of them is left.
 std::vector<std::string> table_names(std::span<const SceneObject> objects);
 
 }  // namespace toccata::command

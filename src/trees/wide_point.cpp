@@ -166,8 +166,8 @@ class PointSearch {
   [[nodiscard]] const Leaves& leaves() const { return leaves_; }
 
  private:
-  /// At least what is rounded in the gaps along the axes, added up; boxes are within 2 of the origin. Of |x| and at
-  /// most 2 for the centre, three floats are rounded: x itself, the difference, and that less the extent.
+  /// At least what is rounded in the gaps along the axes, added up; boxes are within 2 of the origin. Three floats of
+  /// |x| and at most 2 for the centre are rounded: x itself, the difference, and that less the extent.
   static double rounding_of(const Vec3& at) { return 0x1p-22 * (sum_of_magnitudes(at) + 8); }
 
   void keep_within(double limit) {

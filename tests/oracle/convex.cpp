@@ -15,7 +15,8 @@ struct DifferencePoint {
   RationalPoint difference;
 };
 
-/// The point of A − B that lies farthest against a direction. Of A and of B alone, as A − B has far more vertices.
+/// The point of A − B that lies farthest against a direction. It is found from A and from B alone, as A − B has far
+/// more vertices.
 DifferencePoint farthest_against(const RationalPoint& direction, const ConvexSet& a, const ConvexSet& b) {
   const auto along = [&](const RationalPoint& v) { return dot(v, direction); };
   const RationalPoint& on_a = *std::ranges::min_element(a.vertices, {}, along);

@@ -123,7 +123,8 @@ std::optional<Support<Number>> nearest_of_few(const Simplex<Number>& few, Subset
   return std::nullopt;
 }
 
-/// The corner of A − B that lies farthest against a direction. Of A and of B alone, as A − B has far more corners.
+/// The corner of A − B that lies farthest against a direction. It is found from A and from B alone, as A − B has far
+/// more corners.
 template <class Number>
 Corner<Number> farthest_against(const Vector<Number>& direction, const Hulls<Number>& hulls) {
   const auto along = [&](const Vector<Number>& v) { return dot(v, direction); };

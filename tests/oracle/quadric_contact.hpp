@@ -13,7 +13,7 @@ Fine at_most_from(const FineSet& set, const FinePoint& point, const Fine& enough
 Fine depth_along(const FineSet& a, const FineSet& b, const FinePoint& direction);
 
 /// The area of what A and B have in common seen along the normal, where lines along it leave A as much deeper than they
-/// enter B as anywhere, but for `slack`; counted on a grid of cells, and the size of a cell. Of hulls without a radius.
+/// enter B as anywhere, but for `slack`; counted on a grid of cells, and the size of a cell. Hulls have no radius here.
 struct ContactArea {
   double area = 0;
   double cell = 0;

@@ -27,7 +27,7 @@ class QuickLook {
   using Point = PointOf<Number>;
   using Set = SetOf<Number>;
 
-  /// A body seen from its centre, which moves straight on. Of a half-space the set is its point.
+  /// A body seen from its centre, which moves straight on. For a half-space the set is its point.
   struct Body {
     Body(const FineBody& body, const Vec3& origin);
     void place(Number time, const Point& from);

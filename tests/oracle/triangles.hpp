@@ -40,7 +40,7 @@ bool contains(const RationalTriangle& triangle, const RationalPoint& p);
 bool contains_in_relative_interior(const RationalTriangle& triangle, const RationalPoint& p);
 
 /// The vertex (dimension 0), open edge (1, from vertex `index` to the next) or open face (2) of the triangle on which
-/// one of its points lies. Of equal vertices the least index counts, and an edge joins such vertices. A point of a
+/// one of its points lies. Among equal vertices the least index counts, and an edge joins such vertices. A point of a
 /// triangle that is a segment lies on an end of it or on the edge between the ends, even where the middle vertex is.
 struct TriangleFeature {
   int dimension = 2;

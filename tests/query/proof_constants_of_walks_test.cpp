@@ -126,7 +126,7 @@ TEST(ProofConstants, AProbeCoversTheRoundingOfFloats) {
 }
 
 /// A triangle far from the mesh's origin, which its pose brings back to the world's, so that the sums that are rounded
-/// to world vertices are large. Of the box around it in the tree the first vertex is a corner.
+/// to world vertices are large. The first vertex is a corner of the box around it in the tree.
 struct BroughtBack {
   BroughtBack(const Mat3& turn, const Vec3& at, double x, double y)
       : vertex(at),

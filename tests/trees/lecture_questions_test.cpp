@@ -204,7 +204,7 @@ TEST(LectureQuestion, WhereAllPairsMeetAllOfThemAreEnumerated) {
 
 TEST(LectureQuestion, ALimitOnTheNumberEndsWhereOneOnTheSizeDoesNot) {
   // A large triangle, and many small ones below it: the box of all is that of the one, so that a recursion which stops
-  // at the size of a triangle stops at the root. Of triangles that coincide it stops there as well, however many.
+  // at the size of a triangle stops at the root. It stops there as well for triangles that coincide, however many.
   std::vector<Triangle> covered{{{Vec3{0, 0, 0}, Vec3{9, 0, 0}, Vec3{0, 9, 9}}}};
   for (int i = 0; i < 50; ++i) covered.push_back({{Vec3{1, 1, 1}, Vec3{2, 1, 1}, Vec3{1, 2, 1}}});
   const std::vector<Triangle> same(covered.begin() + 1, covered.end());

@@ -15,11 +15,12 @@ struct KdTreeOptions {
 };
 
 /// The box of all items, cut in two by a plane across an axis where that is thought to pay, and these again (J. L.
-/// Bentley, "Multidimensional binary search trees used for associative searching", 1975). Of 31 planes across each axis
-/// the one with the least cost by the surface-area heuristic: the items of either side by the area of its box, and one
-/// more for the step (J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", 1990; I.
-/// Wald, V. Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006); a cell is left
-/// whole where none costs less than that. Space-centric: an item is in every leaf that it meets, a triangle exactly.
+/// Bentley, "Multidimensional binary search trees used for associative searching", 1975). The plane is that of 31
+/// across each axis with the least cost by the surface-area heuristic: the items of either side by the area of its box,
+/// and one more for the step (J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", 1990;
+/// I. Wald, V. Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)", 2006); a cell is
+/// left whole where none costs less than that. Space-centric: an item is in every leaf that it meets, a triangle
+/// exactly.
 class KdTree {
  public:
   explicit KdTree(const PartitionItems& items, const KdTreeOptions& options = {});

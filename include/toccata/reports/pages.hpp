@@ -108,8 +108,8 @@ using CrowdCells = std::function<BroadPhaseCells(const std::vector<Aabb>& boxes)
 
 /// A self-contained page as that of `view_page`, which shows the boxes, their pairs and the cells of the method as
 /// layers, with a slider over the frames. What is drawn is rounded to 1/65535 of what it lies in. Infinite sides end
-/// where the finite boxes do; intervals and rectangles of sweeps are drawn beside the boxes. Of `options` it takes
-/// `title` and `up`. Throws Error when nothing is recorded.
+/// where the finite boxes do; intervals and rectangles of sweeps are drawn beside the boxes. It takes `title` and `up`
+/// of `options`. Throws Error when nothing is recorded.
 [[nodiscard]] std::string crowd_page(const CrowdRecording& recording, const ViewOptions& options = {});
 
 /// The steps of a World, one after the other, for a page that shows them as time goes on. A body is drawn with the
@@ -204,7 +204,7 @@ class WorldRecording {
 /// A self-contained page as that of `view_page`: the bodies, a slider over the frames that moves them, the pairs of
 /// each frame as they begin, persist and end, with contact points and distances where the World reports these, and a
 /// list of them. Places are rounded for display to floats and turns to 1/32767; poses at first, depths and distances
-/// are exact in its text. Of `options` it takes `title` and `up`. Throws Error when nothing is recorded, when a body
+/// are exact in its text. It takes `title` and `up` of `options`. Throws Error when nothing is recorded, when a body
 /// reaches beyond the doubles, and naming a body whose pose has changed by more than a turn and a move.
 [[nodiscard]] std::string world_page(const WorldRecording& recording, const ViewOptions& options = {});
 
@@ -222,8 +222,8 @@ class WorldRecording {
 /// The same as crowd_page and world_page show, as an animation: a frame of 24 a second for each that is recorded. The
 /// boxes or bodies under "objects", each moving; what was found in a frame hangs under a node "frame 0" or "step 0" …
 /// that is visible in that frame alone: under "pairs" segments between the middles of pairs, of bodies those begun,
-/// kept and ended, contact points and distances; under "cells" the edges of the method's cells. Of `options` it takes
-/// `title` and `up`. Throws Error when nothing is recorded, for more than 20,000 boxes or bodies, of which programs
+/// kept and ended, contact points and distances; under "cells" the edges of the method's cells. It takes `title` and
+/// `up` of `options`. Throws Error when nothing is recorded, for more than 20,000 boxes or bodies, of which programs
 /// make an object each, and as crowd_page and world_page do.
 [[nodiscard]] std::string recording_glb(const CrowdRecording& recording, const ViewOptions& options = {});
 [[nodiscard]] std::string recording_glb(const WorldRecording& recording, const ViewOptions& options = {});

@@ -209,12 +209,12 @@ HWY_INLINE Foot<V> foot_on_face(const V& a, const TriangleEdges<V>& e, const Num
 /// W, the sum of what they are beside 0 where the foot has a share of the corner, and below 0 where it has none.
 ///
 /// The ω that repairs them lies in the triangle's plane, where ω · (corner − foot) is what that height is off by: the
-/// gradient of a function with these values at the corners, at most W over the least altitude, and |ω|² at most
-/// W² · longest / area, both squared. Of ε = 2^-53, L² = longest and spread: a slope is off by 4 ε L |d|, the heights
-/// made of two slopes by 14 ε L |d|, and for the rounding of d by ε L |spread|; all three heights by a δ with
-/// δ² ≤ 9 · 2 ε² L² (196 |d|² + |spread|²), and (W + δ)² ≤ 2 W² + 2 δ². What is summed up below, 8 W² + 512 ε² L²
-/// (|spread|² + 16 |d|²), is more than a quarter of that; so the limits, which are 2^-82 for 2^-80 and 2^-54 for 2^-53,
-/// hold with a factor of two or more to spare.
+/// gradient of a function with these values at the corners, at most W over the least altitude, and |ω|² at most W² ·
+/// longest / area, both squared. With ε = 2^-53, L² = longest and the spread: a slope is off by 4 ε L |d|, the heights
+/// made of two slopes by 14 ε L |d|, and for the rounding of d by ε L |spread|; all three heights by a δ with δ² ≤ 9 ·
+/// 2 ε² L² (196 |d|² + |spread|²), and (W + δ)² ≤ 2 W² + 2 δ². What is summed up below, 8 W² + 512 ε² L² (|spread|² +
+/// 16 |d|²), is more than a quarter of that; so the limits, which are 2^-82 for 2^-80 and 2^-54 for 2^-53, hold with a
+/// factor of two or more to spare.
 template <class V>
 HWY_INLINE NumberOf<V> triangle_violation(const Foot<V>& foot, const NumberOf<V>& slope_b, const NumberOf<V>& slope_c,
                                           const MaskOf<V>& on_face) {
