@@ -71,8 +71,8 @@ std::string verb_of(const ReportedPair& pair) {
 }
 
 /// How it stands against the baseline, with the relation of then where that was another.
-std::string since_text(const ReportedPair& pair, const std::string& verb) {
-  const std::string since = name_of(since_baseline(pair));
+std::string since_and_before(const ReportedPair& pair, const std::string& verb) {
+  const std::string since = since_text(pair);
   const std::string before = pair.was ? verb_of(*pair.was) : verb;
   return before == verb ? since : since + " (before: " + before + ")";
 }
@@ -86,7 +86,7 @@ std::vector<std::string> row_of(const std::vector<std::string>& names, const Rep
                              : is_near    ? near_text(pair)
                                           : remark_on(pair.relation) + tolerance_text(pair);
   std::vector<std::string> row{names[pair.a], verb, names[pair.b], remark};
-  if (report.baseline) row.insert(row.begin(), since_text(pair, plain));
+  if (report.baseline) row.insert(row.begin(), since_and_before(pair, plain));
   return row;
 }
 
@@ -104,7 +104,7 @@ std::string reason_text(GoneReason reason) {
   return {};
 }
 
-/// What is gone of the baseline, and how many pairs are new, known and graver.
+/// What is gone of the baseline, and how many pairs are new, graver, moved and known.
 std::string baseline_lines(const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (const GonePair& pair : report.gone)
@@ -116,9 +116,9 @@ std::string baseline_lines(const CheckReport& report) {
           return since_baseline(pair) == since;
         })));
   };
-  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} known, {} gone.\n",
+  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} moved, {} known, {} gone.\n",
                                         printable(*report.baseline), count(Since::added), count(Since::graver),
-                                        count(Since::known), grouped(report.gone.size()));
+                                        count(Since::moved), count(Since::known), grouped(report.gone.size()));
 }
 
 /// As the lengths were understood.

@@ -55,6 +55,15 @@ struct FormerPair {
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
 
+/// How an object lay of which an earlier report tells.
+struct FormerObject {
+  std::string name;
+  Pose pose;  ///< in units of the world of now
+  /// In the object's own frame; of a half-space the point of its plane nearest to the origin; none of what has no end
+  std::optional<Aabb> box;
+  friend bool operator==(const FormerObject&, const FormerObject&) = default;
+};
+
 using ClashKind = PairAnswer::Kind;
 using ToleranceVerdict = PairAnswer::Tolerance;
 
@@ -70,6 +79,7 @@ struct ReportedPair {
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;      ///< filled when the answer has distances
   std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
+  std::optional<double> moved_by{};      ///< how far one of the two has moved as seen from the other, where it has
   ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
   ToleranceVerdict tolerance = ToleranceVerdict::none;
   std::optional<OverlapVolume> volume{};
@@ -119,6 +129,7 @@ struct NameRules {
 struct Baseline {
   std::string file;  ///< for people
   std::vector<FormerPair> pairs;
+  std::vector<FormerObject> objects{};  ///< those of the pairs, where they are known
 };
 
 /// Why a pair of the baseline is no longer reported.
@@ -134,8 +145,9 @@ struct GonePair {
   GoneReason reason = GoneReason::apart;
 };
 
-/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch.
-enum class Since { added, known, graver };
+/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch. What is no
+/// graver has moved where one of the two lies otherwise to the other (ReportedPair::moved_by).
+enum class Since { added, known, moved, graver };
 
 /// The order in which pairs are reported.
 enum class PairOrder {
@@ -188,7 +200,7 @@ struct CheckReport {
 
 /// Where there is a baseline.
 [[nodiscard]] Since since_baseline(const ReportedPair& pair);
-/// "new", "known", "graver".
+/// "new", "known", "moved", "graver".
 [[nodiscard]] std::string name_of(Since since);
 /// "apart", "touching", "left_out", "no_object".
 [[nodiscard]] std::string name_of(GoneReason reason);

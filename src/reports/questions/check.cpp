@@ -13,6 +13,7 @@
 #include "reports/clash_groups.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
+#include "reports/pair_motion.hpp"
 #include "reports/pair_order.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
@@ -56,7 +57,7 @@ void add_clearances(io::Json& json, const Scene& scene, const CheckReport& repor
 void add_baseline(io::Json& json, const CheckReport& report) {
   if (!report.baseline) return;
   io::Json& baseline = json["baseline"] = {{"file", io::as_utf8(*report.baseline)}};
-  for (const Since since : {Since::added, Since::known, Since::graver})
+  for (const Since since : {Since::added, Since::known, Since::moved, Since::graver})
     baseline[name_of(since)] = std::count_if(report.pairs.begin(), report.pairs.end(),
                                              [&](const ReportedPair& pair) { return since_baseline(pair) == since; });
   io::Json& gone = baseline["gone"] = io::Json::array();
@@ -64,6 +65,13 @@ void add_baseline(io::Json& json, const CheckReport& report) {
     gone.push_back(io::json_of(pair.was));
     gone.back()["reason"] = name_of(pair.reason);
   }
+}
+
+/// Around each object in its own frame, where it has an end: by it and its pose another report knows whether it has
+/// moved since.
+void add_boxes(io::Json& json, std::span<const SceneInstance> models) {
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (const auto box = io::placed(models[i]).box) json["objects"][i]["box"] = io::json_of(*box);
 }
 
 /// What was asked about tolerances, where something was, and which clashes belong together.
@@ -97,11 +105,12 @@ void add_common_volume(io::Json& line, const ReportedPair& pair) {
   line["point"] = pair.common_point ? io::json_of(*pair.common_point) : io::Json();
 }
 
-/// How a pair stands against the baseline; with what it was, where that was something else.
+/// How a pair stands against the baseline; with what it was, where that was something else, and how far it has moved.
 void add_since(io::Json& line, const ReportedPair& pair) {
   line["baseline"] = name_of(since_baseline(pair));
   if (pair.was && (pair.was->kind != pair.relation.kind || pair.was->containment != pair.relation.containment))
     line["was"] = {{"relation", name_of(pair.was->kind)}, {"containment", name_of(pair.was->containment)}};
+  if (pair.moved_by) line["moved_by"] = *pair.moved_by;
 }
 
 /// A line, and where the report has faces one more for each pair of them.
@@ -150,7 +159,7 @@ std::string csv_end_names(const CheckReport& report) {
   if (report.has_volume) names += volume_fields;
   if (report.clearance)
     for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
-  if (report.baseline) names += ",baseline,was_relation,was_containment";
+  if (report.baseline) names += ",baseline,was_relation,was_containment,moved_by";
   if (report.grouping != ClashGrouping::none) names += ",group";
   return names + "\n";
 }
@@ -162,7 +171,8 @@ std::string csv_of_distance(const ReportedPair& pair) {
 
 std::string csv_of_baseline(const ReportedPair& pair) {
   const std::string was = pair.was ? name_of(pair.was->kind) + "," + name_of(pair.was->containment) : ",";
-  return "," + name_of(since_baseline(pair)) + "," + was;
+  return fmt::format(",{},{},{}", name_of(since_baseline(pair)), was,
+                     pair.moved_by ? fmt::format("{}", *pair.moved_by) : "");
 }
 
 std::string csv_of_volume(const ReportedPair& pair) {
@@ -201,10 +211,10 @@ std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
   const std::size_t between = (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? 1 : 0) +
                               (report.has_volume ? 6 : 0) + (report.clearance ? distance_fields.size() : 0);
   for (const GonePair& pair : report.gone)
-    csv +=
-        fmt::format("{},{},{}{},gone,{},{}{}\n", csv_field(io::as_utf8(pair.was.a)), csv_field(io::as_utf8(pair.was.b)),
-                    name_of(pair.reason), std::string(fields_of_pair - 3 + between, ','), name_of(pair.was.kind),
-                    name_of(pair.was.containment), report.grouping != ClashGrouping::none ? "," : "");
+    csv += fmt::format("{},{},{}{},gone,{},{},{}\n", csv_field(io::as_utf8(pair.was.a)),
+                       csv_field(io::as_utf8(pair.was.b)), name_of(pair.reason),
+                       std::string(fields_of_pair - 3 + between, ','), name_of(pair.was.kind),
+                       name_of(pair.was.containment), report.grouping != ClashGrouping::none ? "," : "");
   return csv;
 }
 
@@ -382,13 +392,15 @@ struct CheckKind {
       throw Error("nothing would be checked: the rules leave no pair of two objects");
     const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
     require_wanted(question.pair_clearances, wanted, asking.models);
-    const WantedAnswer found = check_wanted(
-        asking.models, options, wanted, io::tolerances_of(question.rules, asking.models), watch_of(question, asking));
+    const PairTolerances tolerances = io::tolerances_of(question.rules, asking.models);
+    const WantedAnswer found = check_wanted(asking.models, options, wanted, tolerances, watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
     report.unfinished = found.unfinished;
     if (question.by_winding && report.unfinished == 0) io::add_contained_by_winding(asking.models, wanted, report);
     if (wanted) report.left_out = found.left_out;
-    if (question.baseline) io::compare_with(*question.baseline, {asking.models, wanted, found.answer}, report);
+    if (question.baseline)
+      io::compare_with(*question.baseline,
+                       {asking.models, wanted, found.answer, question.tolerance.value_or(0), tolerances}, report);
     // What was not looked at is not known to be apart.
     if (report.unfinished > 0)
       std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
@@ -400,6 +412,7 @@ struct CheckKind {
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
+    add_boxes(json, reporting.models);
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
     add_tolerance_and_groups(json, reporting.scene, report);
