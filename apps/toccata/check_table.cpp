@@ -121,6 +121,15 @@ std::string baseline_lines(const CheckReport& report) {
                                         count(Since::moved), count(Since::known), grouped(report.gone.size()));
 }
 
+/// The first few; JSON lists all, in what was asked.
+std::string patterns_text(const std::vector<std::string>& patterns) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, patterns.size()); ++i)
+    text += (i == 0 ? "" : ", ") + printable(patterns[i]);
+  return patterns.size() > most ? fmt::format("{} … ({} more)", text, patterns.size() - most) : text;
+}
+
 /// As the lengths were understood.
 std::string clearance_line(const Scene& scene, const CheckReport& report) {
   const std::vector<std::string> names = table_names(scene.objects);
@@ -133,6 +142,14 @@ std::string clearance_line(const Scene& scene, const CheckReport& report) {
   }
   if (shown < report.pair_clearances.size())
     text += fmt::format("; and of {} their own", counted(report.pair_clearances.size() - shown, "more pair"));
+  const std::size_t rules = std::min(report.clearance_rules.size(), most_listed);
+  for (std::size_t i = 0; i < rules; ++i) {
+    const LengthRule& rule = report.clearance_rules[i];
+    text += fmt::format("; {} between {} and {}", length_text(rule.length, scene.unit), patterns_text(rule.pairs.a),
+                        patterns_text(rule.pairs.b));
+  }
+  if (rules < report.clearance_rules.size())
+    text += fmt::format("; and by {}", counted(report.clearance_rules.size() - rules, "more rule"));
   return text + ".\n";
 }
 

@@ -130,7 +130,7 @@ bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
 GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked) {
   if (!place) return GoneReason::no_object;
   if (io::in_one_group(checked.models[place->first], checked.models[place->second])) return GoneReason::left_out;
-  if (checked.wanted && !checked.wanted(*place)) return GoneReason::left_out;
+  if (checked.rules.wanted && !checked.rules.wanted(*place)) return GoneReason::left_out;
   return is_answered(checked.answer, *place) ? GoneReason::touching : GoneReason::apart;
 }
 
@@ -145,7 +145,7 @@ void compare_with(const Baseline& baseline, const Checked& checked, CheckReport&
   std::set<IndexPair> reported;
   for (ReportedPair& pair : report.pairs) {
     const IndexPair place{pair.a, pair.b};
-    const std::optional<double> own = checked.tolerances ? checked.tolerances(place) : std::nullopt;
+    const std::optional<double> own = checked.rules.tolerances ? checked.rules.tolerances(place) : std::nullopt;
     pair.was = former.at(place);
     if (pair.was) pair.moved_by = places.moved_by(place, own.value_or(checked.tolerance));
     reported.insert(place);

@@ -14,10 +14,9 @@ namespace toccata::io {
 /// What was checked now.
 struct Checked {
   std::span<const SceneInstance> models;
-  const PairFilter& wanted;  ///< by the rules; empty: all
+  const PairRules& rules;
   const CheckAnswer& answer;
-  double tolerance = 0;              ///< of the pairs that have none of their own
-  const PairTolerances& tolerances;  ///< their own; empty: none has
+  double tolerance = 0;  ///< of the pairs that have none of their own
 };
 
 /// Tells of each pair of the report what it was in the baseline and how far it has moved since, and which pairs of that

@@ -13,6 +13,16 @@
 namespace toccata::io {
 namespace {
 
+/// The same object with what its pose scales by in its box: so it may be written in another unit.
+FormerObject without_scale(FormerObject object) {
+  const Mat3& m = object.pose.linear;
+  const double scale = std::cbrt(std::abs(dot(m[0], cross(m[1], m[2]))));
+  if (!(scale > 0) || !std::isfinite(scale) || !object.box) return object;
+  object.pose.linear = scaled(object.pose, 1 / scale).linear;
+  object.box = Aabb{scale * object.box->lower, scale * object.box->upper};
+  return object;
+}
+
 /// In its own frame; of what has no box the origin.
 std::vector<Vec3> own_points(const FormerObject& object) {
   return object.box ? corners_of(*object.box) : std::vector<Vec3>{Vec3{}};
@@ -59,12 +69,15 @@ FormerObject placed(const SceneInstance& object) {
     result.box = Aabb{foot, foot};
     return result;
   }
-  const Aabb box = world_box(pose_model(object.model, Pose{}, Solid::automatic, object.name));
+  const Aabb box = object.model.has_mesh() ? object.model.bounds()
+                                           : world_box(pose_model(object.model, Pose{}, Solid::automatic, object.name));
   if (!is_empty(box) && is_finite(box.lower) && is_finite(box.upper)) result.box = box;
   return result;
 }
 
-std::optional<double> moved_by(const PlacedPair& then, const PlacedPair& now, double tolerance) {
+std::optional<double> moved_by(const PlacedPair& told_then, const PlacedPair& told_now, double tolerance) {
+  const PlacedPair then{without_scale(told_then.a), without_scale(told_then.b)};
+  const PlacedPair now{without_scale(told_now.a), without_scale(told_now.b)};
   const double distance =
       std::max({left_behind(then.a, now.a, then.b, now.b), left_behind(then.b, now.b, then.a, now.a),
                 left_behind(then.a, now.a, then.a, now.a), left_behind(then.b, now.b, then.b, now.b)});

@@ -105,18 +105,19 @@ struct NameRule {
   std::vector<std::string> b;
 };
 
-/// How deep pairs of a rule may overlap.
-struct ToleranceRule {
+/// A length that is asked of the pairs of a rule.
+struct LengthRule {
   NameRule pairs;
-  double tolerance = 0;  ///< world units
+  double length = 0;  ///< world units
 };
 
-/// Which pairs are checked: without rules all that are not of one group.
+/// Which pairs are checked: without rules all that are not of one group. And what is asked of some.
 struct NameRules {
   std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
   std::vector<NameRule> ignored{};  ///< no pair of these
-  /// Instead of the tolerance of all pairs. Of several rules about a pair the last counts.
-  std::vector<ToleranceRule> tolerances{};
+  /// Instead of the tolerance, and of the clearance, of all pairs. Of several rules about a pair the last counts; a
+  /// clearance of that pair alone counts more.
+  std::vector<LengthRule> tolerances{}, clearances{};
   /// They leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
 };
@@ -179,6 +180,7 @@ struct CheckReport {
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
   std::vector<PairClearance> pair_clearances{};
+  std::vector<LengthRule> clearance_rules{};
   std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
   std::optional<std::string> baseline{};  ///< the file, where there is one
   std::vector<GonePair> gone{};           ///< of the baseline, in its order
@@ -297,6 +299,11 @@ struct DecomposeReport {
 
 /// The parts as objects, "gear-01" of a gear, of one group: they are not checked against each other.
 [[nodiscard]] Scene parts_scene(const DecomposeReport& report, const std::string& unit);
+
+/// Writes the parts into one mesh file, OBJ, OFF, ASCII STL or PLY by the extension: in the world, and each of OBJ and
+/// STL under its name. Of a flat part its front is written. Reading the file gives the same doubles. It is complete or
+/// not there. Throws Error naming the file, also where no part has a face.
+void write_parts(const DecomposeReport& report, const std::string& path);
 
 struct ReportedDistance {
   Index a = 0;  ///< the object's place in the scene

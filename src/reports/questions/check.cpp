@@ -280,13 +280,19 @@ double finite_length_of(const io::JsonValue& value) {
   return length;
 }
 
-std::vector<ToleranceRule> tolerances_in(const io::JsonValue& question) {
-  std::vector<ToleranceRule> rules;
-  for (const io::JsonValue& rule : question.elements("tolerances")) {
-    rule.expect_keys({"a", "b", "tolerance"});
-    rules.push_back({{patterns_of(rule.at("a")), patterns_of(rule.at("b"))}, finite_length_of(rule.at("tolerance"))});
+/// The list of rules that each say a length under that name.
+std::vector<LengthRule> length_rules_of(const io::JsonValue& question, const char* list, const char* length) {
+  std::vector<LengthRule> rules;
+  for (const io::JsonValue& rule : question.elements(list)) {
+    rule.expect_keys({"a", "b", length});
+    rules.push_back({{patterns_of(rule.at("a")), patterns_of(rule.at("b"))}, finite_length_of(rule.at(length))});
   }
   return rules;
+}
+
+void add_length_rules(io::Json& json, const std::vector<LengthRule>& rules, const char* list, const char* length) {
+  for (const LengthRule& rule : rules)
+    json[list].push_back({{"a", json_of(rule.pairs.a)}, {"b", json_of(rule.pairs.b)}, {length, rule.length}});
 }
 
 bool has_bounds(const Aabb& box) {
@@ -337,9 +343,8 @@ struct CheckKind {
     if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
     if (q.volume) json["volume"] = true;
     if (q.tolerance) json["tolerance"] = *q.tolerance;
-    for (const ToleranceRule& rule : q.rules.tolerances)
-      json["tolerances"].push_back(
-          {{"a", json_of(rule.pairs.a)}, {"b", json_of(rule.pairs.b)}, {"tolerance", rule.tolerance}});
+    add_length_rules(json, q.rules.tolerances, "tolerances", "tolerance");
+    add_length_rules(json, q.rules.clearances, "clearances", "clearance");
     if (!q.penetration && (q.tolerance || !q.rules.tolerances.empty())) io::add_depth_options(json, q.depth);
     if (q.grouping != ClashGrouping::none) json["group"] = name_of(q.grouping);
     if (q.order == PairOrder::severity) json["sort"] = "severity";
@@ -351,7 +356,7 @@ struct CheckKind {
   static CheckQuestion read(const io::JsonValue& value) {
     value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_per_depth", "clearance",
                        "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding", "volume", "tolerance",
-                       "tolerances", "group"});
+                       "tolerances", "clearances", "group"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
@@ -370,7 +375,8 @@ struct CheckKind {
                                    static_cast<Index>(pair.at("b_index").whole(most)),
                                    io::length_of(pair.at("clearance"))});
     }
-    q.rules = {rules_of(value, "between"), rules_of(value, "ignore"), tolerances_in(value)};
+    q.rules = {rules_of(value, "between"), rules_of(value, "ignore"), length_rules_of(value, "tolerances", "tolerance"),
+               length_rules_of(value, "clearances", "clearance")};
     q.order = io::pair_order_of(value);
     q.by_winding = value.flag_or("by_winding", false);
     if (value.has("baseline")) q.baseline = io::baseline_of(value.at("baseline"));
@@ -390,17 +396,17 @@ struct CheckKind {
     options.progress = asking.options.progress;
     if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
       throw Error("nothing would be checked: the rules leave no pair of two objects");
-    const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
-    require_wanted(question.pair_clearances, wanted, asking.models);
-    const PairTolerances tolerances = io::tolerances_of(question.rules, asking.models);
-    const WantedAnswer found = check_wanted(asking.models, options, wanted, tolerances, watch_of(question, asking));
+    const PairRules rules = io::pair_rules(question.rules, asking.models);
+    require_wanted(question.pair_clearances, rules.wanted, asking.models);
+    const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
     report.unfinished = found.unfinished;
-    if (question.by_winding && report.unfinished == 0) io::add_contained_by_winding(asking.models, wanted, report);
-    if (wanted) report.left_out = found.left_out;
+    if (question.by_winding && report.unfinished == 0)
+      io::add_contained_by_winding(asking.models, rules.wanted, report);
+    if (rules.wanted) report.left_out = found.left_out;
     if (question.baseline)
-      io::compare_with(*question.baseline,
-                       {asking.models, wanted, found.answer, question.tolerance.value_or(0), tolerances}, report);
+      io::compare_with(*question.baseline, {asking.models, rules, found.answer, question.tolerance.value_or(0)},
+                       report);
     // What was not looked at is not known to be apart.
     if (report.unfinished > 0)
       std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
