@@ -132,10 +132,10 @@ def check_bcf_of(folder, version, label, viewpoint, coloured):
 
 def check_cameras(folder):
     """A finding whose place no answer tells is looked at all the same: where both may be, or, of what has no end, somewhere."""
-    shape = '{"name": "%s", "shape": {"type": "%s", %s}, "pose": {"translation": [%s, 0, 0]}}'
-    for first, middle in (('"radius": 1, "height": 2', 0.5), (None, 0)):
-        one = shape % ("one", "cylinder", first, 0) if first else '{"name": "one", "shape": {"type": "half-space"}}'
-        other = shape % ("other", "cylinder", '"radius": 1, "height": 2', 1)
+    cylinder = '{"name": "%s", "shape": {"type": "cylinder", "radius": 1, "half_height": 1}, "pose": {"translation": [%s, 0, 0]}}'
+    endless = '{"name": "%s", "shape": {"type": "half-space", "normal": [%s, 0, 1]}}'
+    for shape, middle in ((cylinder, 0.5), (endless, 0)):
+        one, other = shape % ("one", 0), shape % ("other", 1)
         (folder / "vague.json").write_text('{"format": "toccata-scene", "version": 1, "unit": "m", "objects": [%s, %s]}' % (one, other))
         run(folder, "vague.json", "--bcf", "vague.bcf", "--bcf-version", "3.0", code=1)
         with zipfile.ZipFile(folder / "vague.bcf") as bcf:
@@ -143,7 +143,7 @@ def check_cameras(folder):
         camera = view.find("PerspectiveCamera")
         place, direction = numbers(camera.find("CameraViewPoint")), numbers(camera.find("CameraDirection"))
         far = -place[2] / direction[2]
-        assert math.isclose(place[0] + far * direction[0], middle, abs_tol=1e-9), (first, place, direction)
+        assert math.isclose(place[0] + far * direction[0], middle, abs_tol=1e-9), (shape, place, direction)
 
 
 def scene_of(*objects):
