@@ -86,9 +86,9 @@ class FormerPairs {
 };
 
 /// How the objects of a baseline lay, and those of now lie.
-class Places {
+class PlacesSince {
  public:
-  Places(const Baseline& baseline, std::span<const SceneInstance> models) : models_(models) {
+  PlacesSince(const Baseline& baseline, std::span<const SceneInstance> models) : models_(models) {
     for (const FormerObject& object : baseline.objects) former_.emplace(object.name, &object);
   }
 
@@ -140,7 +140,7 @@ namespace io {
 
 void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report) {
   const FormerPairs former(baseline, checked.models);
-  Places places(baseline, checked.models);
+  PlacesSince places(baseline, checked.models);
   report.baseline = baseline.file;
   std::set<IndexPair> reported;
   for (ReportedPair& pair : report.pairs) {

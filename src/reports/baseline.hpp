@@ -14,7 +14,7 @@ namespace toccata::io {
 /// What was checked now.
 struct Checked {
   std::span<const SceneInstance> models;
-  const PairRules& rules;
+  const CheckPairRules& rules;
   const CheckAnswer& answer;
   double tolerance = 0;  ///< of the pairs that have none of their own
 };

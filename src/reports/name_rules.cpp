@@ -184,7 +184,7 @@ std::vector<double> greatest_lengths(std::span<const LengthRule> rules, const Na
 
 }  // namespace
 
-PairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models) {
+CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models) {
   const Names names(models);
   return {wanted_pairs(rules, names),
           lengths_of(rules.tolerances, names),

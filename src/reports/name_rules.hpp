@@ -10,6 +10,6 @@
 namespace toccata::io {
 
 /// What the rules say of pairs of the models.
-[[nodiscard]] PairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models);
+[[nodiscard]] CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models);
 
 }  // namespace toccata::io

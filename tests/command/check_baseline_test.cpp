@@ -20,7 +20,7 @@ struct Placed {
   std::string group{};
 };
 
-std::string scene_of(const std::vector<Placed>& boxes) {
+std::string scene_of_boxes(const std::vector<Placed>& boxes) {
   Json scene = {{"format", "toccata-scene"}, {"version", 1}, {"objects", Json::array()}};
   for (const Placed& box : boxes)
     scene["objects"].push_back({{"name", box.name},
@@ -33,7 +33,7 @@ std::string scene_of(const std::vector<Placed>& boxes) {
 class CheckBaseline : public testing::Test {
  protected:
   test::CommandResult check(const std::vector<Placed>& boxes, std::vector<std::string> options) {
-    folder.write("scene.json", scene_of(boxes));
+    folder.write("scene.json", scene_of_boxes(boxes));
     options.insert(options.begin(), {"check", "scene.json"});
     return run_command(options, folder.path());
   }

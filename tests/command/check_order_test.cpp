@@ -88,7 +88,7 @@ PairsByName expect_one_list(Words files, const Words& options, const fs::path& f
 }
 
 /// Meshes about one place, turned, some of them touching exactly, one twice, one within another, one open.
-Words write_parts(const TemporaryFolder& folder) {
+Words files_of_parts(const TemporaryFolder& folder) {
   Random random(11);
   const auto coordinate = [&] { return random.between(-1.6, 1.6); };
   const std::vector<TriangleMesh> shapes = {
@@ -117,7 +117,7 @@ Words write_parts(const TemporaryFolder& folder) {
 
 TEST(CheckOrder, OfFilesAndThreadsChangeNothing) {
   const TemporaryFolder folder;
-  const Words files = write_parts(folder);
+  const Words files = files_of_parts(folder);
   const PairsByName pairs = expect_one_list(
       files, {"--penetration", "--volume", "--clearance", "0.2", "--tolerance", "0.05"}, folder.path(), 4);
   EXPECT_GT(pairs.size(), 25U);

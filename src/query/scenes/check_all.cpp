@@ -38,7 +38,7 @@ constexpr std::size_t pairs_at_once = 4096;
 
 class Check {
  public:
-  Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairRules& rules,
+  Check(std::span<const SceneInstance> models, const CheckOptions& options, const CheckPairRules& rules,
         const CheckWatch& watch)
       : models_(models),
         options_(options),
@@ -347,7 +347,7 @@ class Check {
 
   std::span<const SceneInstance> models_;
   const CheckOptions& options_;
-  const PairRules& rules_;
+  const CheckPairRules& rules_;
   const CheckWatch& watch_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
@@ -364,8 +364,8 @@ CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions&
   return check_wanted(models, options, {}).answer;
 }
 
-WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options, const PairRules& rules,
-                          const CheckWatch& watch) {
+WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
+                          const CheckPairRules& rules, const CheckWatch& watch) {
   require_usable(options.depth);
   if (options.tolerance && !(*options.tolerance >= 0))
     throw Error(fmt::format("the tolerance is {}; it has to be a length of 0 or more", *options.tolerance));

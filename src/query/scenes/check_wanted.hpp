@@ -21,7 +21,7 @@ struct RuleClearances {
 };
 
 /// What rules say of pairs. What is empty says nothing.
-struct PairRules {
+struct CheckPairRules {
   PairFilter wanted{};       ///< which are looked at; empty: all
   PairLengths tolerances{};  ///< in place of that of all pairs
   RuleClearances clearances{};
@@ -44,6 +44,6 @@ struct CheckWatch {
 
 /// The pair clearances are of pairs that are wanted, and count more than rules.
 [[nodiscard]] WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
-                                        const PairRules& rules, const CheckWatch& watch = {});
+                                        const CheckPairRules& rules, const CheckWatch& watch = {});
 
 }  // namespace toccata

@@ -396,7 +396,7 @@ struct CheckKind {
     options.progress = asking.options.progress;
     if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
       throw Error("nothing would be checked: the rules leave no pair of two objects");
-    const PairRules rules = io::pair_rules(question.rules, asking.models);
+    const CheckPairRules rules = io::pair_rules(question.rules, asking.models);
     require_wanted(question.pair_clearances, rules.wanted, asking.models);
     const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
