@@ -90,7 +90,7 @@ bool is_failure(const ReportedPair& pair, FailOn fail_on) {
     case FailOn::hard:
       return counts_as_contact(pair.relation, Touching::ignore);
     case FailOn::added:
-      return since_baseline(pair) != Since::known;
+      return since_baseline(pair) == Since::added || since_baseline(pair) == Since::graver;
   }
   return true;
 }

@@ -115,18 +115,20 @@ class RuleReader {
     return rule;
   }
 
-  /// `text` is what follows the word "tolerance": PATTERN, PATTERN = LENGTH.
-  void add_tolerance(std::string_view text, const std::string& place) {
+  /// `text` is what follows the word "tolerance" or "clearance": PATTERN, PATTERN = LENGTH.
+  void add_length_rule(std::string_view word, std::string_view text, const std::string& place) {
     const std::size_t equals = find_plain(text, '=');
     if (equals == std::string_view::npos || equals == 0)
-      throw Error(
-          fmt::format("{}: the tolerance is of no pairs or has no length; write `tolerance PATTERN, PATTERN = "
-                      "0.1mm`",
-                      place));
-    const double tolerance =
-        read_length(place + ": tolerance", trimmed(text.substr(equals + 1)), units_, Longest::finite);
-    rules_.tolerances.push_back({rule_of(trimmed(text.substr(0, equals)), place), tolerance});
+      throw Error(fmt::format("{0}: the {1} is of no pairs or has no length; write `{1} PATTERN, PATTERN = 0.1mm`",
+                              place, word));
+    const double length =
+        read_length(fmt::format("{}: {}", place, word), trimmed(text.substr(equals + 1)), units_, Longest::finite);
+    std::vector<LengthRule>& rules = word == "tolerance" ? rules_.tolerances : rules_.clearances;
+    rules.push_back({rule_of(trimmed(text.substr(0, equals)), place), length});
   }
+
+  static bool is_of_lengths(std::string_view word) { return word == "tolerance" || word == "clearance"; }
+  static bool is_of_pairs(std::string_view word) { return word == "ignore" || word == "between"; }
 
   struct Set {
     std::vector<std::string> patterns;
@@ -146,14 +148,10 @@ class RuleReader {
 
   void read_line(std::string_view line, const std::string& place) {
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-    if (word == "tolerance") {
-      const std::string_view rest = trimmed(line.substr(word.size()));
-      if (rest.starts_with('=')) refuse(place, "no set is called 'tolerance'");
-      return add_tolerance(rest, place);
-    }
-    if (word == "ignore" || word == "between") {
+    if (is_of_lengths(word) || is_of_pairs(word)) {
       const std::string_view rest = trimmed(line.substr(word.size()));
       if (rest.starts_with('=')) refuse(place, fmt::format("no set is called '{}'", word));
+      if (is_of_lengths(word)) return add_length_rule(word, rest, place);
       if (rest.empty()) refuse(place, "the rule says nothing");
       return add_rule(word == "ignore" ? rules_.ignored : rules_.between, rest, place);
     }
@@ -163,15 +161,14 @@ class RuleReader {
   }
 
   [[noreturn]] static void refuse(const std::string& place, const std::string& what) {
-    throw Error(
-        fmt::format("{}: {}; write `ignore PATTERN`, `ignore PATTERN, PATTERN`, `between PATTERN, PATTERN`, "
-                    "`tolerance PATTERN, PATTERN = LENGTH`, or `SET = PATTERN, …`",
-                    place, what));
+    throw Error(fmt::format(
+        "{}: {}; write `ignore PATTERN`, `ignore PATTERN, PATTERN`, `between PATTERN, PATTERN`, "
+        "`tolerance PATTERN, PATTERN = LENGTH`, `clearance PATTERN, PATTERN = LENGTH`, or `SET = PATTERN, …`",
+        place, what));
   }
 
   void define(const std::string& name, std::string_view list, const std::string& place) {
-    if (name == "ignore" || name == "between" || name == "tolerance")
-      refuse(place, fmt::format("no set is called '{}'", name));
+    if (is_of_pairs(name) || is_of_lengths(name)) refuse(place, fmt::format("no set is called '{}'", name));
     if (name.empty() || name.find_first_of("*?,\\") != std::string::npos)
       throw Error(fmt::format(
           "{}: '{}' is no name of a set; write one without * ? , and \\, and = in a pattern as \\=", place, name));
@@ -246,7 +243,8 @@ void add_rules(CLI::App& app, RuleArguments& arguments) {
     app.add_option(name, texts, help)->type_name(type)->expected(1)->allow_extra_args(false)->take_all();
   };
   repeated("--rules", arguments.files,
-           "which pairs are checked: a file of rules and sets (docs/reference/check-rules.md); may be repeated",
+           "which pairs are checked, and with which tolerances and clearances: a file of rules and sets "
+           "(docs/reference/check-rules.md); may be repeated",
            "FILE");
   repeated(
       "--ignore", arguments.ignored,

@@ -71,8 +71,8 @@ std::string verb_of(const ReportedPair& pair) {
 }
 
 /// How it stands against the baseline, with the relation of then where that was another.
-std::string since_text(const ReportedPair& pair, const std::string& verb) {
-  const std::string since = name_of(since_baseline(pair));
+std::string since_and_before(const ReportedPair& pair, const std::string& verb) {
+  const std::string since = since_text(pair);
   const std::string before = pair.was ? verb_of(*pair.was) : verb;
   return before == verb ? since : since + " (before: " + before + ")";
 }
@@ -86,7 +86,7 @@ std::vector<std::string> row_of(const std::vector<std::string>& names, const Rep
                              : is_near    ? near_text(pair)
                                           : remark_on(pair.relation) + tolerance_text(pair);
   std::vector<std::string> row{names[pair.a], verb, names[pair.b], remark};
-  if (report.baseline) row.insert(row.begin(), since_text(pair, plain));
+  if (report.baseline) row.insert(row.begin(), since_and_before(pair, plain));
   return row;
 }
 
@@ -104,7 +104,7 @@ std::string reason_text(GoneReason reason) {
   return {};
 }
 
-/// What is gone of the baseline, and how many pairs are new, known and graver.
+/// What is gone of the baseline, and how many pairs are new, graver, moved and known.
 std::string baseline_lines(const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (const GonePair& pair : report.gone)
@@ -116,9 +116,18 @@ std::string baseline_lines(const CheckReport& report) {
           return since_baseline(pair) == since;
         })));
   };
-  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} known, {} gone.\n",
+  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} moved, {} known, {} gone.\n",
                                         printable(*report.baseline), count(Since::added), count(Since::graver),
-                                        count(Since::known), grouped(report.gone.size()));
+                                        count(Since::moved), count(Since::known), grouped(report.gone.size()));
+}
+
+/// The first few; JSON lists all, in what was asked.
+std::string patterns_text(const std::vector<std::string>& patterns) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, patterns.size()); ++i)
+    text += (i == 0 ? "" : ", ") + printable(patterns[i]);
+  return patterns.size() > most ? fmt::format("{} … ({} more)", text, patterns.size() - most) : text;
 }
 
 /// As the lengths were understood.
@@ -133,6 +142,14 @@ std::string clearance_line(const Scene& scene, const CheckReport& report) {
   }
   if (shown < report.pair_clearances.size())
     text += fmt::format("; and of {} their own", counted(report.pair_clearances.size() - shown, "more pair"));
+  const std::size_t rules = std::min(report.clearance_rules.size(), most_listed);
+  for (std::size_t i = 0; i < rules; ++i) {
+    const LengthRule& rule = report.clearance_rules[i];
+    text += fmt::format("; {} between {} and {}", length_text(rule.length, scene.unit), patterns_text(rule.pairs.a),
+                        patterns_text(rule.pairs.b));
+  }
+  if (rules < report.clearance_rules.size())
+    text += fmt::format("; and by {}", counted(report.clearance_rules.size() - rules, "more rule"));
   return text + ".\n";
 }
 

@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "case_asked.hpp"
 #include "check_input.hpp"
 #include "clearance.hpp"
+#include "mesh_output.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "subcommands.hpp"
+#include "toccata/core/error.hpp"
 #include "view.hpp"
 #include "words.hpp"
 
@@ -21,10 +24,9 @@ namespace toccata::command {
 namespace {
 
 struct DecomposeArguments : PosedArguments {
-  DecomposeArguments() { glb_option = "-o or --glb"; }
-
   DecomposeQuestion question;  ///< but for its concavity
   std::string concavity;       ///< a length; empty: 0
+  std::string mesh;            ///< a file for the parts that is no GLB; empty: none
 };
 
 std::string percent_text(const ConvexParts& parts) {
@@ -39,21 +41,39 @@ std::string volume_text(double volume, int digits, bool is_flat) {
   return fmt::format("{:.{}g}", volume, digits);
 }
 
+/// A GLB file is written with what was found, by -o as by --glb.
+void take_glb(DecomposeArguments& arguments) {
+  if (!is_glb(arguments.mesh)) return;
+  if (!arguments.glb.empty()) throw Error("-o and --glb both name a GLB file: leave out one of the two");
+  arguments.glb = std::exchange(arguments.mesh, {});
+  arguments.glb_option = "-o";
+}
+
 bool are_flat(const ConvexParts& parts) {
   return std::ranges::all_of(parts.parts, [](const ConvexPart& part) { return part.hull.dimension() < 3; });
 }
 
+std::string written_parts(const DecomposeReport& report, const std::string& file) {
+  const UninterruptedWriting writing;
+  write_parts(report, file);
+  return fmt::format("{}: {}.\n", printable(file), counted(report.parts.parts.size(), "convex part"));
+}
+
 int run_decompose(const DecomposeArguments& arguments) {
+  require_mesh_output(arguments, arguments.mesh);
+  const AlsoWritten mesh = [&](const CheckInput&, const SceneAnswer& answer) {
+    const auto* report = std::get_if<DecomposeReport>(&answer);
+    return arguments.mesh.empty() || report == nullptr ? std::string() : written_parts(*report, arguments.mesh);
+  };
   const bool asks_itself =
       changes_objects(arguments) || arguments.question != DecomposeQuestion{} || !arguments.concavity.empty();
-  if (const auto code = answered_case(arguments, {"decompose", asks_itself})) return *code;
-  require_view(arguments);
+  if (const auto code = answered_case(arguments, {"decompose", asks_itself}, mesh)) return *code;
   const CheckInput input = read_check_input(arguments);
   DecomposeQuestion question = arguments.question;
   if (!arguments.concavity.empty())
     question.concavity = read_length("--concavity", arguments.concavity,
                                      length_units(input.loaded.scene, arguments.input), Longest::finite);
-  const SceneAnswer answer = answer_to(question, input, arguments, "cutting");
+  const SceneAnswer answer = answer_to(question, input, arguments, "cutting", mesh);
   const std::size_t parts = std::get<DecomposeReport>(answer).parts.parts.size();
   if (arguments.format == Format::table)
     print_answer(written_lines(target_of(arguments), counted(parts, "convex part")));
@@ -93,7 +113,9 @@ Subcommand add_decompose(CLI::App& app) {
   add_length(*decompose, "--concavity", arguments->concavity,
              "cut no further where no point of a part is farther than this from the solid: a length in units of "
              "--unit or the scene, or with its own (0.5, 2mm, 0.1in)");
-  add_glb(*decompose, *arguments, "-o,--output,--glb");
+  add_file(*decompose, "-o,--output", arguments->mesh,
+           "write the parts: as one mesh file (OBJ and STL with their names, OFF, PLY), or for Blender as GLB", "FILE");
+  add_glb(*decompose, *arguments);
   add_pages(*decompose, *arguments);
   add_save_case(*decompose, arguments->save_case);
   add_threads(*decompose, arguments->threads, "parts");
@@ -101,8 +123,11 @@ Subcommand add_decompose(CLI::App& app) {
   decompose->footer(with_name(
       "Each part is convex, and together they contain the whole solid; how much more they are is told "
       "(docs/methods/convex-decomposition.md).\n\nExit code: 0, or 2 for trouble.\n\n"
-      "Example:\n  {0} decompose part.stl -o parts.glb\n  {0} decompose gen:torus --parts 16 --html parts.html"));
-  return {decompose, [arguments] { return run_decompose(*arguments); }};
+      "Example:\n  {0} decompose part.stl -o parts.obj\n  {0} decompose gen:torus --parts 16 --html parts.html"));
+  return {decompose, [arguments] {
+            take_glb(*arguments);
+            return run_decompose(*arguments);
+          }};
 }
 
 }  // namespace toccata::command

@@ -121,7 +121,7 @@ std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair
   std::vector<std::string> details;
   if (const std::optional<Place> place = told_place(scene, pair)) details.push_back(place->words);
   if (!pair.regions.empty()) details.push_back(counted(pair.regions.size(), "region of contact", "regions of contact"));
-  if (has_baseline) details.push_back("since the baseline: " + name_of(since_baseline(pair)));
+  if (has_baseline) details.push_back("since the baseline: " + since_text(pair));
   return details;
 }
 

@@ -3,13 +3,45 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
 #include <utility>
+
+#include "toccata/core/error.hpp"
+#include "words.hpp"
 
 namespace toccata::command {
 
+namespace {
+
+/// How often a line is told where there is no terminal.
+std::chrono::duration<double> line_pause() {
+  constexpr double minute = 60, day = 86'400;
+  const char* const word = std::getenv("TOCCATA_PROGRESS_SECONDS");
+  if (word == nullptr || *word == '\0') return std::chrono::duration<double>(minute);
+  double seconds = 0;
+  const char* const end = word + std::string_view(word).size();
+  const auto [rest, error] = std::from_chars(word, end, seconds);
+  if (error != std::errc{} || rest != end || !(seconds > 0) || seconds > day)
+    throw Error(fmt::format("TOCCATA_PROGRESS_SECONDS is '{}': give seconds above 0, at most a day, or leave it out",
+                            printable(word)));
+  return std::chrono::duration<double>(seconds);
+}
+
+std::string duration_text(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+}  // namespace
+
 ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) != 0), shower_([this] { keep_showing(); }) {}
+    : label_(std::move(label)),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      line_pause_(terminal_ ? std::chrono::duration<double>{} : line_pause()),
+      shower_([this] { keep_showing(); }) {}
 
 ProgressBar::~ProgressBar() {
   {
@@ -30,28 +62,28 @@ Progress ProgressBar::callback() {
 }
 
 void ProgressBar::keep_showing() {
-  using namespace std::chrono_literals;
+  using Seconds = std::chrono::duration<double>;
   std::unique_lock lock(mutex_);
-  Clock::duration pause = terminal_ ? 500ms : 60s;
+  Seconds pause = terminal_ ? Seconds(0.5) : line_pause_;
   while (!over_.wait_for(lock, pause, [this] { return is_over_; })) {
     show();
-    pause = terminal_ ? 100ms : 60s;
+    pause = terminal_ ? Seconds(0.1) : line_pause_;
   }
 }
 
 void ProgressBar::show() {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_).count();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   const std::string so_far = total_ == 0 ? "" : fmt::format(" {}/{}", done_, total_);
-  const std::string left = time_left(std::chrono::duration<double>(Clock::now() - start_).count());
+  const std::string left = time_left(seconds);
   if (!terminal_) {
-    fmt::print(stderr, "toccata: {}{}, {} min{}\n", label_, so_far, seconds / 60, left);
+    fmt::print(stderr, "toccata: {}{}, {}{}\n", label_, so_far, duration_text(seconds), left);
     return;
   }
   drawn_ = true;
   constexpr std::size_t width = 32;
   const std::size_t filled = total_ == 0 ? 0 : width * done_ / total_;
   const std::string bar = total_ == 0 ? "" : fmt::format(" [{:#<{}}{:.<{}}]", "", filled, "", width - filled);
-  fmt::print(stderr, "\r{}{}{}, {} s{}\033[K", label_, bar, so_far, seconds, left);
+  fmt::print(stderr, "\r{}{}{}, {:.0f} s{}\033[K", label_, bar, so_far, seconds, left);
   std::fflush(stderr);
 }
 
@@ -59,8 +91,7 @@ std::string ProgressBar::time_left(double seconds) const {
   constexpr double soonest = 2;  // before it nothing can be told
   if (seconds < soonest || done_ == 0 || done_ >= total_) return {};
   const double rate = static_cast<double>(done_) / seconds, left = static_cast<double>(total_ - done_) / rate;
-  return fmt::format(", {:.3g} a second, some {} left", rate,
-                     left < 90 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60));
+  return fmt::format(", {:.3g} a second, some {} left", rate, duration_text(left));
 }
 
 }  // namespace toccata::command

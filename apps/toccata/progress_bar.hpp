@@ -12,9 +12,10 @@
 namespace toccata::command {
 
 /// Tells on standard error how far long work is. On a terminal a bar, ten times a second, not in the first half second,
-/// and gone when it ends; elsewhere a line a minute.
+/// and gone when it ends; elsewhere a line a minute, or as often as the environment says in TOCCATA_PROGRESS_SECONDS.
 class ProgressBar {
  public:
+  /// Throws Error where the environment says no such time.
   explicit ProgressBar(std::string label);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
@@ -32,6 +33,7 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   std::string label_;
   bool terminal_;
+  std::chrono::duration<double> line_pause_;  ///< where it is none
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();
 

@@ -50,6 +50,7 @@ void add_numbers(SarifJson& properties, const ReportedPair& pair) {
   if (pair.penetration && pair.penetration->upper > 0)
     properties["depth"] = {{"lower", pair.penetration->lower}, {"upper", pair.penetration->upper}};
   if (pair.distance) properties["distance"] = {{"lower", pair.distance->lower}, {"upper", pair.distance->upper}};
+  if (pair.moved_by) properties["moved_by"] = *pair.moved_by;
   if (pair.winding)
     properties["winding"] = {
         {"value", pair.winding->value}, {"lower", pair.winding->lower}, {"upper", pair.winding->upper}};

@@ -63,6 +63,11 @@ std::string winding_text(const WindingNumber& winding) {
   return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
 }
 
+std::string since_text(const ReportedPair& pair) {
+  const Since since = since_baseline(pair);
+  return since == Since::moved ? fmt::format("moved by {:.6g}", *pair.moved_by) : name_of(since);
+}
+
 std::string length_text(double length, const std::string& unit) {
   if (std::isinf(length)) return "all";
   if (unit == "unit") return fmt::format("{:.12g}", length);

@@ -7,6 +7,7 @@
 #include "toccata/narrow/convex_convex.hpp"
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/signed_distance.hpp"
+#include "toccata/reports/report.hpp"
 
 namespace toccata::command {
 
@@ -27,6 +28,9 @@ std::string depth_text(const Penetration& penetration, DepthEnd end);
 
 /// What is said of a pair that a winding number decided, in place of what both are taken for.
 std::string winding_text(const WindingNumber& winding);
+
+/// How a pair stands against the baseline: "new", or "moved by 0.5".
+std::string since_text(const ReportedPair& pair);
 
 /// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
 std::string length_text(double length, const std::string& unit);

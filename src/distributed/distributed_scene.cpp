@@ -184,10 +184,11 @@ class DistributedScene::State {
       return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), model) - numbers.begin());
     };
     for (PairClearance& pair : own.pair_clearances) pair = {local(pair.a), local(pair.b), pair.clearance};
-    WantedAnswer found = check_wanted(models, own, [&](const IndexPair& pair) {
+    const PairFilter is_decided = [&](const IndexPair& pair) {
       const Index a = numbers[pair.first], b = numbers[pair.second];
       return is_decided_here(a, b) && !asked.of_pairs().contains({a, b});
-    });
+    };
+    WantedAnswer found = check_wanted(models, own, {.wanted = is_decided});
     for (PairAnswer& pair : found.answer.pairs) {
       pair.a = numbers[pair.a];
       pair.b = numbers[pair.b];

@@ -13,6 +13,8 @@
 
 #include "io/formats/file_bytes.hpp"
 #include "io/formats/utf8.hpp"
+#include "io/scenes/scene_parts.hpp"
+#include "reports/pair_motion.hpp"
 #include "reports/questions/question_parts.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/reports/scene_question.hpp"
@@ -33,11 +35,24 @@ FormerPair flipped(FormerPair pair) {
   return pair;
 }
 
-/// Of a report, and of a question, which has no more than this.
+/// As a report tells it, and a question.
 FormerPair former_pair_of(const io::JsonValue& pair) {
   return {pair.at("a").text(), pair.at("b").text(), io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
           io::one_named<Containment>(pair.at("containment"), containments),
           pair.text_or("tolerance", "") == name_of(ToleranceVerdict::within)};
+}
+
+std::optional<Aabb> box_of(const io::JsonValue& object) {
+  if (!object.has("box")) return std::nullopt;
+  const io::JsonValue box = object.at("box");
+  return Aabb{box.at("lower").vector(), box.at("upper").vector()};
+}
+
+/// As a report tells it, and a question.
+FormerObject former_object_of(const io::JsonValue& object) {
+  std::array<double, 12> pose{};
+  std::ranges::copy(object.at("pose").numbers(pose.size()), pose.begin());
+  return {object.at("name").text(), Pose::from_numbers(pose), box_of(object)};
 }
 
 /// The pairs of a baseline, and where its objects are among those of now.
@@ -70,6 +85,39 @@ class FormerPairs {
   std::map<IndexPair, FormerPair> of_pair_;
 };
 
+/// How the objects of a baseline lay, and those of now lie.
+class PlacesSince {
+ public:
+  PlacesSince(const Baseline& baseline, std::span<const SceneInstance> models) : models_(models) {
+    for (const FormerObject& object : baseline.objects) former_.emplace(object.name, &object);
+  }
+
+  /// How far one of two objects of now has moved as seen from the other.
+  [[nodiscard]] std::optional<double> moved_by(const IndexPair& pair, double tolerance) {
+    const auto a = former_.find(models_[pair.first].name), b = former_.find(models_[pair.second].name);
+    if (a == former_.end() || b == former_.end()) return std::nullopt;
+    const io::PlacedPair now{of_now(pair.first), of_now(pair.second)};
+    const io::PlacedPair then{with_box(*a->second, now.a), with_box(*b->second, now.b)};
+    return io::moved_by(then, now, tolerance);
+  }
+
+ private:
+  const FormerObject& of_now(Index object) {
+    const auto found = now_.find(object);
+    return found != now_.end() ? found->second : now_.emplace(object, io::placed(models_[object])).first->second;
+  }
+
+  /// Reports of before told no boxes: it had the same.
+  static FormerObject with_box(FormerObject then, const FormerObject& now) {
+    if (!then.box) then.box = now.box;
+    return then;
+  }
+
+  std::span<const SceneInstance> models_;
+  std::map<std::string_view, const FormerObject*> former_;
+  std::map<Index, FormerObject> now_;
+};
+
 bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
   const auto found = std::lower_bound(answer.pairs.begin(), answer.pairs.end(), place,
                                       [](const PairAnswer& pair, const IndexPair& other) {
@@ -82,7 +130,7 @@ bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
 GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked) {
   if (!place) return GoneReason::no_object;
   if (io::in_one_group(checked.models[place->first], checked.models[place->second])) return GoneReason::left_out;
-  if (checked.wanted && !checked.wanted(*place)) return GoneReason::left_out;
+  if (checked.rules.wanted && !checked.rules.wanted(*place)) return GoneReason::left_out;
   return is_answered(checked.answer, *place) ? GoneReason::touching : GoneReason::apart;
 }
 
@@ -92,11 +140,15 @@ namespace io {
 
 void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report) {
   const FormerPairs former(baseline, checked.models);
+  PlacesSince places(baseline, checked.models);
   report.baseline = baseline.file;
   std::set<IndexPair> reported;
   for (ReportedPair& pair : report.pairs) {
-    pair.was = former.at({pair.a, pair.b});
-    reported.insert({pair.a, pair.b});
+    const IndexPair place{pair.a, pair.b};
+    const std::optional<double> own = checked.rules.tolerances ? checked.rules.tolerances(place) : std::nullopt;
+    pair.was = former.at(place);
+    if (pair.was) pair.moved_by = places.moved_by(place, own.value_or(checked.tolerance));
+    reported.insert(place);
   }
   for (const FormerPair& pair : baseline.pairs) {
     const std::optional<IndexPair> place = former.place_of(pair);
@@ -113,15 +165,27 @@ Json json_of(const FormerPair& pair) {
   return json;
 }
 
+Json json_of(const FormerObject& object) {
+  Json json = {{"name", as_utf8(object.name)}, {"pose", object.pose.numbers()}};
+  if (object.box) json["box"] = json_of(*object.box);
+  return json;
+}
+
 Json json_of(const Baseline& baseline) {
   Json pairs = Json::array();
   for (const FormerPair& pair : baseline.pairs) pairs.push_back(json_of(pair));
-  return {{"file", as_utf8(baseline.file)}, {"pairs", std::move(pairs)}};
+  Json json = {{"file", as_utf8(baseline.file)}, {"pairs", std::move(pairs)}};
+  for (const FormerObject& object : baseline.objects) json["objects"].push_back(json_of(object));
+  return json;
 }
 
 Baseline baseline_of(const JsonValue& value) {
-  value.expect_keys({"file", "pairs"});
-  Baseline baseline{value.at("file").text(), {}};
+  value.expect_keys({"file", "pairs", "objects"});
+  Baseline baseline{value.at("file").text(), {}, {}};
+  for (const JsonValue& object : value.elements("objects")) {
+    object.expect_keys({"name", "pose", "box"});
+    baseline.objects.push_back(former_object_of(object));
+  }
   for (const JsonValue& pair : value.elements("pairs")) {
     pair.expect_keys({"a", "b", "relation", "containment", "tolerance"});
     baseline.pairs.push_back(former_pair_of(pair));
@@ -150,6 +214,29 @@ void require_common_object(const io::JsonValue& top, const Scene& scene) {
            "name a report about this model");
 }
 
+/// What a length of 1 in the one unit is in the other.
+std::optional<double> factor_between(const std::string& from, const std::string& to) {
+  if (from == to) return 1;
+  const auto metres_from = io::unit_in_metres(from), metres_to = io::unit_in_metres(to);
+  return metres_from && metres_to ? std::optional(*metres_from / *metres_to) : std::nullopt;
+}
+
+/// Those of the pairs. What was told in a unit that cannot be compared with that of now is not known.
+std::vector<FormerObject> former_objects_in(const io::JsonValue& top, std::span<const FormerPair> pairs,
+                                            const std::string& unit) {
+  const std::optional<double> factor = factor_between(top.text_or("unit", unit), unit);
+  if (!factor) return {};
+  std::set<std::string_view> named;
+  for (const FormerPair& pair : pairs) named.insert({pair.a, pair.b});
+  std::vector<FormerObject> objects;
+  for (const io::JsonValue& one : top.elements("objects")) {
+    if (!named.contains(one.at("name").text()) || !one.has("pose")) continue;
+    FormerObject& object = objects.emplace_back(former_object_of(one));
+    object.pose = {scaled(object.pose, *factor).linear, *factor * object.pose.offset};
+  }
+  return objects;
+}
+
 }  // namespace
 
 Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
@@ -161,8 +248,9 @@ Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
     top.fail("this is no report that can be a baseline",
              "name a file that `check --json` wrote, without --poses or --self");
   require_common_object(top, scene);
-  Baseline baseline{file, {}};
+  Baseline baseline{file, {}, {}};
   for (const io::JsonValue& pair : top.elements("pairs")) baseline.pairs.push_back(former_pair_of(pair));
+  baseline.objects = former_objects_in(top, baseline.pairs, scene.unit);
   return baseline;
 }
 

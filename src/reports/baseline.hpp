@@ -4,6 +4,7 @@
 
 #include "io/formats/json.hpp"
 #include "io/formats/json_value.hpp"
+#include "query/scenes/check_wanted.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/reports/report.hpp"
@@ -13,11 +14,13 @@ namespace toccata::io {
 /// What was checked now.
 struct Checked {
   std::span<const SceneInstance> models;
-  const PairFilter& wanted;  ///< by the rules; empty: all
+  const CheckPairRules& rules;
   const CheckAnswer& answer;
+  double tolerance = 0;  ///< of the pairs that have none of their own
 };
 
-/// Tells of each pair of the report what it was in the baseline, and which pairs of that are gone.
+/// Tells of each pair of the report what it was in the baseline and how far it has moved since, and which pairs of that
+/// are gone.
 void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report);
 
 [[nodiscard]] Json json_of(const FormerPair& pair);

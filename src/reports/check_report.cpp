@@ -71,13 +71,15 @@ Aabb meeting_place(const PairAnswer& pair) {
 
 CheckReport make_check_report(std::span<const SceneInstance> models, const CheckAnswer& answer,
                               const ReportOptions& options) {
-  const bool asks_clearance = options.clearance || !options.pair_clearances.empty();
+  const bool asks_clearance =
+      options.clearance || !options.pair_clearances.empty() || !options.rules.clearances.empty();
   CheckReport report;
   report.candidate_pairs = answer.candidate_pairs;
   report.has_faces = options.faces;
   report.has_penetration = options.penetration;
   if (asks_clearance) report.clearance = options.clearance.value_or(0);
   report.pair_clearances = options.pair_clearances;
+  report.clearance_rules = options.rules.clearances;
   report.has_volume = options.volume;
   if (options.tolerance || !options.rules.tolerances.empty()) report.tolerance = options.tolerance.value_or(0);
   for (const PairAnswer& pair : answer.pairs) {

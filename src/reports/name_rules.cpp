@@ -147,9 +147,10 @@ class RuleMembers {
 
 }  // namespace
 
-PairFilter wanted_pairs(const NameRules& rules, std::span<const SceneInstance> models) {
+namespace {
+
+PairFilter wanted_pairs(const NameRules& rules, const Names& names) {
   if (rules.empty()) return {};
-  const Names names(models);
   const auto between = std::make_shared<const RuleMembers>(rules.between, names);
   const auto ignored = std::make_shared<const RuleMembers>(rules.ignored, names);
   return [between, ignored, all = rules.between.empty()](const IndexPair& pair) {
@@ -157,21 +158,37 @@ PairFilter wanted_pairs(const NameRules& rules, std::span<const SceneInstance> m
   };
 }
 
-PairTolerances tolerances_of(const NameRules& rules, std::span<const SceneInstance> models) {
-  if (rules.tolerances.empty()) return {};
+PairLengths lengths_of(std::span<const LengthRule> rules, const Names& names) {
+  if (rules.empty()) return {};
   struct Told {
     RuleMembers members;
-    double tolerance;
+    double length;
   };
-  const Names names(models);
   const auto all = std::make_shared<std::vector<Told>>();
-  for (const ToleranceRule& rule : rules.tolerances)
-    all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.tolerance});
+  for (const LengthRule& rule : rules) all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.length});
   return [all](const IndexPair& pair) -> std::optional<double> {
     const auto found =
         std::find_if(all->rbegin(), all->rend(), [&](const Told& told) { return told.members.contain(pair); });
-    return found == all->rend() ? std::nullopt : std::optional(found->tolerance);
+    return found == all->rend() ? std::nullopt : std::optional(found->length);
   };
+}
+
+/// Of each object that of the rules that it is in.
+std::vector<double> greatest_lengths(std::span<const LengthRule> rules, const Names& names) {
+  std::vector<double> greatest(rules.empty() ? 0 : names.count());
+  for (const LengthRule& rule : rules)
+    for (const std::vector<std::string>* patterns : {&rule.pairs.a, &rule.pairs.b})
+      for (const std::size_t i : names.of_any(*patterns)) greatest[i] = std::max(greatest[i], rule.length);
+  return greatest;
+}
+
+}  // namespace
+
+CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models) {
+  const Names names(models);
+  return {wanted_pairs(rules, names),
+          lengths_of(rules.tolerances, names),
+          {lengths_of(rules.clearances, names), greatest_lengths(rules.clearances, names)}};
 }
 
 }  // namespace io

@@ -9,10 +9,7 @@
 
 namespace toccata::io {
 
-/// Which pairs of the models the rules leave to be checked; empty where there are none.
-[[nodiscard]] PairFilter wanted_pairs(const NameRules& rules, std::span<const SceneInstance> models);
-
-/// The tolerance of each pair that a rule tells one of; empty where no rule does.
-[[nodiscard]] PairTolerances tolerances_of(const NameRules& rules, std::span<const SceneInstance> models);
+/// What the rules say of pairs of the models.
+[[nodiscard]] CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models);
 
 }  // namespace toccata::io

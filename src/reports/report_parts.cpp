@@ -25,6 +25,8 @@ Json json_of_feature(const ConvexFeature& feature) {
 
 Json json_of_length(double length) { return std::isinf(length) ? Json("all") : Json(length); }
 
+Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
+
 Json json_of(const SceneObject& object, const SceneInstance& posed) {
   const auto mesh = object.mesh();
   return {{"name", as_utf8(object.name)},

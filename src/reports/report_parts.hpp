@@ -20,6 +20,9 @@ namespace toccata::io {
 /// A length, or "all" for +∞.
 [[nodiscard]] Json json_of_length(double length);
 
+/// Its corners, "lower" and "upper".
+[[nodiscard]] Json json_of(const Aabb& box);
+
 /// An object as it was checked.
 [[nodiscard]] Json json_of(const SceneObject& object, const SceneInstance& posed);
 

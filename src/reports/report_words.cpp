@@ -116,7 +116,8 @@ Since since_baseline(const ReportedPair& pair) {
   // Without a tolerance of now the depth of then tells nothing: an overlap was one.
   const bool was_within = pair.was->within_tolerance && pair.tolerance != ToleranceVerdict::none;
   const int now = gravity_of(pair.relation.kind, !is_clash(pair)), then = gravity_of(pair.was->kind, was_within);
-  return now > then ? Since::graver : Since::known;
+  if (now > then) return Since::graver;
+  return pair.moved_by ? Since::moved : Since::known;
 }
 
 bool is_clash(const ReportedPair& pair) { return pair.tolerance != ToleranceVerdict::within; }
@@ -175,6 +176,8 @@ std::string name_of(Since since) {
       return "new";
     case Since::known:
       return "known";
+    case Since::moved:
+      return "moved";
     case Since::graver:
       return "graver";
   }

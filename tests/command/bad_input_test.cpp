@@ -246,6 +246,13 @@ TEST_F(BadQuestion, NumbersThatAnOptionDoesNotTakeAreToldWithWhatItTakes) {
     expect_trouble(run_command(words), told);
 }
 
+TEST_F(BadQuestion, UnitsThatAreNoneAreRefused) {
+  for (const std::string unit : {"parsec", "0", "-1", "nan", "mm2", "MM", "1 m"}) {
+    const auto result = run_command({"check", "good.off", "good.off", "--unit", unit}, folder.path());
+    expect_trouble(result, "'" + unit + "' is not a unit; write mm, cm, m, km, in, ft, or a positive number of metres");
+  }
+}
+
 TEST_F(BadQuestion, FileNamesCannotSmuggleControlCharacters) {
   const auto result = run_command({"check", "evil\x1b[31m.obj", "good.off"}, folder.path());
   expect_trouble(result, "evil");

@@ -1,6 +1,7 @@
 // check --baseline, --fail-on and --sort as a person or a script meets them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
@@ -19,7 +20,7 @@ struct Placed {
   std::string group{};
 };
 
-std::string scene_of(const std::vector<Placed>& boxes) {
+std::string scene_of_boxes(const std::vector<Placed>& boxes) {
   Json scene = {{"format", "toccata-scene"}, {"version", 1}, {"objects", Json::array()}};
   for (const Placed& box : boxes)
     scene["objects"].push_back({{"name", box.name},
@@ -32,7 +33,7 @@ std::string scene_of(const std::vector<Placed>& boxes) {
 class CheckBaseline : public testing::Test {
  protected:
   test::CommandResult check(const std::vector<Placed>& boxes, std::vector<std::string> options) {
-    folder.write("scene.json", scene_of(boxes));
+    folder.write("scene.json", scene_of_boxes(boxes));
     options.insert(options.begin(), {"check", "scene.json"});
     return run_command(options, folder.path());
   }
@@ -57,7 +58,8 @@ class CheckBaseline : public testing::Test {
 TEST_F(CheckBaseline, TellsWhatIsNewKnownGraverAndGone) {
   keep(row);
   const Json same = since(row);
-  EXPECT_EQ(same["baseline"], Json::parse(R"({"file": "old.json", "new": 0, "known": 2, "graver": 0, "gone": []})"));
+  EXPECT_EQ(same["baseline"],
+            Json::parse(R"({"file": "old.json", "new": 0, "known": 2, "moved": 0, "graver": 0, "gone": []})"));
   for (const Json& pair : same["pairs"]) {
     EXPECT_EQ(pair["baseline"], "known");
     EXPECT_FALSE(pair.contains("was"));
@@ -70,6 +72,100 @@ TEST_F(CheckBaseline, TellsWhatIsNewKnownGraverAndGone) {
   EXPECT_EQ(
       moved["baseline"]["gone"],
       Json::parse(R"([{"a": "a", "b": "b", "relation": "overlapping", "containment": "none", "reason": "apart"}])"));
+}
+
+TEST_F(CheckBaseline, TellsWhatIsNoGraverAndHasMoved) {
+  keep(row);
+  const Json slid = since({{"a", 0.25}, {"b", 1.5}, {"c", 3.5}, {"ü", 9}});
+  EXPECT_EQ(slid["baseline"]["moved"], 1);
+  EXPECT_EQ(slid["pairs"][0]["baseline"], "moved");
+  EXPECT_EQ(slid["pairs"][0]["moved_by"], 0.25);
+  EXPECT_FALSE(slid["pairs"][0].contains("was"));
+  EXPECT_EQ(slid["pairs"][1]["baseline"], "known");
+  EXPECT_FALSE(slid["pairs"][1].contains("moved_by"));
+  const Json all = since({{"a", 5}, {"b", 6.5}, {"c", 8.5}});
+  EXPECT_EQ(all["baseline"]["known"], 2) << "the whole assembly has moved, and nothing in it";
+  const Json apart = since({{"b", 4}, {"a", 2}});
+  EXPECT_EQ(apart["pairs"][0]["baseline"], "moved") << "less grave, and elsewhere";
+  EXPECT_EQ(apart["pairs"][0]["was"]["relation"], "overlapping");
+  const Json graver = since({{"c", 3.25}, {"b", 1.5}});
+  EXPECT_EQ(graver["pairs"][0]["baseline"], "graver");
+  EXPECT_EQ(graver["pairs"][0]["moved_by"], 0.25);
+  const std::vector<Placed> nearly = {{"a", 0.0625}, {"b", 1.5}};
+  EXPECT_EQ(since(nearly)["pairs"][0]["baseline"], "moved");
+  EXPECT_EQ(since(nearly, {"--tolerance", "0.0625"})["pairs"][0]["baseline"], "known")
+      << "no farther than the tolerance";
+  folder.write("rules.txt", "tolerance a, b = 0.0625\n");
+  EXPECT_EQ(since(nearly, {"--rules", "rules.txt"})["pairs"][0]["baseline"], "known");
+  EXPECT_EQ(check(nearly, {"--baseline", "old.json"}).out,
+            "2 objects with 0 triangles; the bounding boxes of 1 pair overlap.\n"
+            "  moved by 0.0625  a  overlaps  b  (both solids)\n"
+            "1 pair in contact, decided exactly.\n"
+            "  gone  b  touches  c  (not in the files now)\n"
+            "Since old.json: 0 new, 0 graver, 1 moved, 0 known, 1 gone.\n");
+  EXPECT_EQ(check(nearly, {"--baseline", "old.json", "--fail-on", "new"}).exit_code, 0);
+}
+
+/// A cube of side 2 about a place on the x-axis, which is in its vertices.
+std::string cube_at(double x) {
+  std::string off = "OFF\n8 6 0\n";
+  for (int i = 0; i < 8; ++i)
+    off +=
+        std::to_string(x + ((i & 1) != 0 ? 1 : -1)) + ((i & 2) != 0 ? " 1" : " -1") + ((i & 4) != 0 ? " 1\n" : " -1\n");
+  return off + "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+}
+
+TEST_F(CheckBaseline, SeesMovesThatAreInTheVertices) {
+  const auto state = [&](double a, double b, std::vector<std::string> options) {
+    folder.write("a.off", cube_at(a));
+    folder.write("b.off", cube_at(b));
+    options.insert(options.begin(), {"check", "a.off", "b.off", "--json"});
+    const auto run = run_command(options, folder.path());
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    return Json::parse(run.out);
+  };
+  folder.write("old.json", state(0, 1.5, {"--unit", "m"}).dump());
+  const std::vector<std::string> compared = {"--unit", "m", "--baseline", "old.json"};
+  EXPECT_EQ(state(0, 1.5, compared)["pairs"][0]["baseline"], "known");
+  EXPECT_EQ(state(7, 8.5, compared)["pairs"][0]["baseline"], "known") << "both have moved";
+  EXPECT_EQ(state(0, 1.500001, compared)["pairs"][0]["baseline"], "known") << "as floats are rounded";
+  const Json moved = state(7, 8.25, compared);
+  EXPECT_EQ(moved["pairs"][0]["baseline"], "moved");
+  EXPECT_NEAR(moved["pairs"][0]["moved_by"], 0.25, 1e-9);
+  EXPECT_EQ(state(0, 1.5, {"--baseline", "old.json"})["pairs"][0]["baseline"], "known") << "in an unknown unit";
+  // A report of before, which told no boxes, knows poses alone.
+  Json old = Json::parse(state(0, 1.5, {"--unit", "m"}).dump());
+  for (Json& object : old["objects"]) object.erase("box");
+  folder.write("old.json", old.dump());
+  EXPECT_EQ(state(0, 1.25, compared)["pairs"][0]["baseline"], "known");
+  old["objects"][0]["pose"][10] = 0.5;
+  folder.write("old.json", old.dump());
+  EXPECT_EQ(state(0, 1.5, compared)["pairs"][0]["moved_by"], 0.5);
+}
+
+TEST_F(CheckBaseline, SeesTurnsAndOtherUnits) {
+  const auto state = [&](const std::string& unit, double factor, const std::string& turn) {
+    Json scene = {{"format", "toccata-scene"}, {"version", 1}, {"unit", unit}, {"objects", Json::array()}};
+    const Json ground = {{"type", "half-space"}, {"point", {0, 0, -0.5 * factor}}, {"normal", {0, 0, 1}}};
+    const Json box = {{"type", "box"}, {"half_extents", {factor, factor, factor}}};
+    scene["objects"].push_back({{"name", "ground"}, {"shape", ground}});
+    scene["objects"].push_back({{"name", "box"}, {"shape", box}, {"pose", Json::parse(turn)}});
+    folder.write("scene.json", scene.dump());
+    const auto run = run_command({"check", "scene.json", "--json", "--baseline", "old.json"}, folder.path());
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    return Json::parse(run.out)["pairs"][0];
+  };
+  const std::string straight = "[1,0,0, 0,1,0, 0,0,1, 0,0,0]", turned = "[0,-1,0, 1,0,0, 0,0,1, 0,0,0]";
+  folder.write("old.json", R"({"schema": "toccata/check/2", "objects": [{"name": "box"}], "pairs": []})");
+  Json first = {{"schema", "toccata/check/2"}, {"unit", "m"}};
+  first["pairs"] = {state("m", 1, straight)};
+  first["objects"] = Json::parse(run_command({"check", "scene.json", "--json"}, folder.path()).out)["objects"];
+  folder.write("old.json", first.dump());
+  EXPECT_EQ(state("m", 1, straight)["baseline"], "known");
+  EXPECT_DOUBLE_EQ(state("m", 1, turned)["moved_by"], 2) << "a corner that went from one corner to the next";
+  EXPECT_EQ(state("mm", 1000, straight)["baseline"], "known");
+  EXPECT_DOUBLE_EQ(state("mm", 1500, straight)["moved_by"], std::hypot(500, 500, 750))
+      << "a larger box, whose upper corners are so far from where the ground would have carried them";
 }
 
 TEST_F(CheckBaseline, TellsWhyAPairIsGone) {
@@ -107,11 +203,11 @@ TEST_F(CheckBaseline, IsToldInTheTableAndInCsv) {
             "  new                       c  overlaps  ü  (both solids)\n"
             "2 pairs in contact, decided exactly.\n"
             "  gone  a  overlaps  b  (no clash now)\n"
-            "Since old.json: 1 new, 1 graver, 0 known, 1 gone.\n");
+            "Since old.json: 1 new, 1 graver, 0 moved, 0 known, 1 gone.\n");
   EXPECT_EQ(check(moved, {"--baseline", "old.json", "--csv"}).out,
-            "a,b,relation,containment,side_unresolved,status,baseline,was_relation,was_containment\n"
-            "b,c,overlapping,none,false,exact,graver,touching,none\nc,ü,overlapping,none,false,exact,new,,\n"
-            "a,b,apart,,,,gone,overlapping,none\n");
+            "a,b,relation,containment,side_unresolved,status,baseline,was_relation,was_containment,moved_by\n"
+            "b,c,overlapping,none,false,exact,graver,touching,none,0.25\nc,ü,overlapping,none,false,exact,new,,,\n"
+            "a,b,apart,,,,gone,overlapping,none,\n");
 }
 
 TEST_F(CheckBaseline, DecidesTheExitCodeWhereThatIsAsked) {

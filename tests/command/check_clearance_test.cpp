@@ -236,6 +236,57 @@ TEST_F(CheckClearanceCommand, NamesTheWholeArgumentAndItsForm) {
   EXPECT_NE(common.err.find("--clearance -3: write LENGTH"), std::string::npos) << common.err;
 }
 
+TEST_F(CheckClearanceCommand, OfPatternsIsToldByRules) {
+  const std::string rules = (folder.path() / "rules.txt").string();
+  const auto told = [&](const std::string& text, std::vector<std::string> options) {
+    folder.write("rules.txt", text);
+    options.insert(options.end(), {"--rules", rules});
+    return pairs_told(options);
+  };
+  EXPECT_EQ(told("clearance tool*, t* = 2mm\n", {}), 1U);
+  EXPECT_EQ(told("clearance tool*, t* = 1.9mm\n", {}), 0U);
+  EXPECT_EQ(told("clearance wall = 5cm\n", {}), 1U) << "of it and all others";
+  EXPECT_EQ(told("walls = wall\nclearance walls, table = 50\nclearance tool* = 2\n", {}), 2U);
+  EXPECT_EQ(told("clearance * = 5cm\nclearance wall, * = 1mm\n", {}), 1U) << "the last counts";
+  EXPECT_EQ(told("clearance wall, * = 1mm\nclearance * = 5cm\n", {}), 2U) << "the last counts";
+  EXPECT_EQ(told("clearance wall = 1mm\n", {"--clearance", "5cm"}), 1U) << "in place of that of all";
+  EXPECT_EQ(told("clearance wall = 1mm\n", {"--clearance-of", "wall,table=5cm"}), 1U) << "that of two counts more";
+  EXPECT_EQ(told("clearance wall = 5cm\nignore wall, table\n", {}), 0U);
+  EXPECT_EQ(told("clearance * = 9m\n", {"--clearance", "all"}), 3U);
+}
+
+TEST_F(CheckClearanceCommand, OfRulesIsToldAndAskedAgain) {
+  folder.write("rules.txt", "steel = wall, table, beam*\nclearance steel = 5cm\nclearance tool*, table = 2mm\n");
+  const auto table = run_command({"check", "cell.json", "--rules", "rules.txt"}, folder.path());
+  EXPECT_NE(table.out.find("Clearance 0 mm; 50 mm between wall, table, beam* and *; 2 mm between tool* and table.\n"),
+            std::string::npos)
+      << table.out;
+  const auto json =
+      run_command({"check", "cell.json", "--rules", "rules.txt", "--json", "--save-case", "case.json"}, folder.path());
+  const Json report = Json::parse(json.out);
+  EXPECT_EQ(report["clearance"], 0);
+  EXPECT_EQ(report["asked"]["query"]["clearances"][1],
+            Json::parse(R"({"a": ["tool*"], "b": ["table"], "clearance": 2})"));
+  EXPECT_EQ(report["pairs"].size(), 2U);
+  EXPECT_EQ(report["candidate_pairs"], 2) << "tool and wall are far from each other by their own clearance";
+  folder.write("report.json", json.out);
+  const auto drawn = run_command({"view", "report.json", "-o", "page.html"}, folder.path());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_EQ(drawn.err.find("another answer"), std::string::npos) << drawn.err;
+  EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
+  for (const auto& [rule, told] : std::vector<std::pair<std::string, std::string>>{
+           {"clearance a, c\n", "rules.txt:1: the clearance is of no pairs or has no length"},
+           {"clearance table = all\n", "rules.txt:1"},
+           {"clearance table = 3 parsec\n", "rules.txt:1"},
+           {"clearance table = -1\n", "rules.txt:1"},
+           {"clearance = table\n", "no set is called 'clearance'"}}) {
+    folder.write("rules.txt", rule);
+    const auto run = run_command({"check", "cell.json", "--rules", "rules.txt"}, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << rule;
+    EXPECT_NE(run.err.find(told), std::string::npos) << run.err;
+  }
+}
+
 TEST_F(CheckClearanceCommand, RefusesWhatIsNoLength) {
   for (const std::string wrong : {"-1", "2 mm", "mm", "nan", "inf", "", "2mile"}) {
     const auto run = run_command({"check", file, "--clearance=" + wrong});

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -51,6 +53,43 @@ class CheckLong : public testing::Test {
 
   TemporaryFolder folder;
 };
+
+/// "checking 12/780, 3 s, 4.1 a second, some 3 min left", its numbers in step with each other.
+void expect_rate_and_time_left(const std::string& seen) {
+  const std::regex form(R"(checking[^\n]* (\d+)/(\d+), (\d+) s, ([\d.e+]+) a second, some (\d+) (s|min) left)");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(seen, found, form)) << seen;
+  const double done = std::stod(found[1]), total = std::stod(found[2]), seconds = std::stod(found[3]),
+               rate = std::stod(found[4]), left = std::stod(found[5]) * (found[6] == "min" ? 60 : 1);
+  EXPECT_LE(done, total);
+  EXPECT_NEAR(done / seconds, rate, rate * 0.6 / seconds + 0.01 * rate) << seen;  // seconds are rounded
+  EXPECT_NEAR((total - done) / rate, left, found[6] == "min" ? 31 : 1) << seen;
+}
+
+TEST_F(CheckLong, ATerminalShowsTheRateAndTheTimeLeft) {
+  expect_rate_and_time_left(
+      test::seen_on_terminal({"check", (folder.path() / "heap.json").string(), "--penetration"}, " left"));
+}
+
+TEST_F(CheckLong, ElsewhereALineIsToldNowAndThen) {
+  const auto told = [&](const char* seconds) {
+    setenv("TOCCATA_PROGRESS_SECONDS", seconds, 1);
+    const auto result = run({"check", "heap.json", "--penetration", "--stop-after", "4"});
+    unsetenv("TOCCATA_PROGRESS_SECONDS");
+    return result;
+  };
+  const auto often = told("0.5");
+  EXPECT_EQ(often.exit_code, 3);
+  EXPECT_GE(std::count(often.err.begin(), often.err.end(), '\n'), 5) << often.err;
+  EXPECT_EQ(often.err.find('\r'), std::string::npos) << often.err;
+  expect_rate_and_time_left(often.err);
+  EXPECT_EQ(told("3600").err.find("toccata: checking"), std::string::npos);
+  for (const char* wrong : {"0", "-1", "soon", "nan", "1e9"}) {
+    const auto refused = told(wrong);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find(std::string("TOCCATA_PROGRESS_SECONDS is '") + wrong), std::string::npos) << refused.err;
+  }
+}
 
 TEST_F(CheckLong, AStreamHasAHeadALineForEachPairAndAnEnd) {
   const auto result = run({"check", "two.json", "--stream", "--faces"});

@@ -163,6 +163,12 @@ def reports(folder):
     yield check("round.json", "--clearance", "all")
     yield check("shapes.json", "--clearance", "all")
     yield check("shapes.json", "--clearance", "0")
+    (folder / "near.txt").write_text("tolerance ball, crate = 0.01\nclearance b*l, * = 3\n")
+    moved = (folder / "shapes.json").read_text().replace('"half_extents": [1, 1, 1]', '"half_extents": [1, 1, 1.25]')
+    (folder / "moved.json").write_text(moved)
+    compared = check("moved.json", "--rules", "near.txt", "--baseline", "old.json")
+    assert compared["baseline"]["moved"] > 0 and compared["asked"]["query"]["clearances"], compared
+    yield compared
     yield check("shapes.json", "--clearance-of", "ball,ground=all", "--clearance-of", "crate,ball=2")
     (folder / "ball.json").write_text('{"format": "toccata-scene", "version": 1, "objects": ['
                                       '{"name": "ball", "shape": {"type": "sphere", "radius": 1}}]}')

@@ -1,7 +1,9 @@
 // What `decompose` and `minkowski` make is kept with what was asked, drawn from that, and compared.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,15 @@ namespace fs = std::filesystem;
 using test::run_command;
 using test::TemporaryFolder;
 using test::text_of;
+using Json = nlohmann::json;
 using MadeBy = std::vector<std::string>;
+
+Json highest_corner(const Json& points) {
+  Json highest = points[0];
+  for (const Json& point : points)
+    for (std::size_t i = 0; i < 3; ++i) highest[i] = std::max(highest[i].get<double>(), point[i].get<double>());
+  return highest;
+}
 
 /// A tetrahedron with that height.
 std::string spike(const std::string& height) {
@@ -127,6 +137,47 @@ TEST(MadeShapesCommand, PartsAreToldWhereTheyAreDrawn) {
   EXPECT_NE(with_unit.out.find("\"concavity\":0.001"), std::string::npos) << with_unit.out << with_unit.err;
 }
 
+/// Read again they are what the report tells: names, corners and volume.
+TEST(MadeShapesCommand, PartsAreWrittenAsMeshes) {
+  const TemporaryFolder folder;
+  const MadeBy words = {"decompose", "gen:gear", "--parts", "3", "--scale", "0.3"};
+  const Json report = Json::parse(run_command(and_also(words, {"--json"}), folder.path()).out);
+  for (const std::string extension : {"obj", "stl", "ply", "off"}) {
+    SCOPED_TRACE(extension);
+    const std::string file = "parts." + extension;
+    const auto asked = run_command(and_also(words, {"-o", file}), folder.path());
+    ASSERT_EQ(asked.exit_code, 0) << asked.err;
+    EXPECT_NE(asked.out.find(file + ": 3 convex parts.\n"), std::string::npos) << asked.out;
+    const Json objects = Json::parse(run_command({"inspect", file, "--split", "--json"}, folder.path()).out)["objects"];
+    const bool has_names = extension == "obj" || extension == "stl";
+    ASSERT_EQ(objects.size(), has_names ? 3U : 1U);
+    double volume = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      volume += objects[i]["signed_volume"].get<double>();
+      if (!has_names) continue;
+      const Json& part = report["parts"][i];
+      EXPECT_EQ(objects[i]["name"], part["name"]);
+      EXPECT_EQ(objects[i]["distinct_vertices"], part["vertices"].size());
+      EXPECT_NEAR(objects[i]["signed_volume"], part["volume"], 1e-12);
+      EXPECT_EQ(objects[i]["world_box"]["upper"], highest_corner(part["vertices"]));
+    }
+    EXPECT_NEAR(volume, report["hull_volume"], 1e-12);
+  }
+  const auto none = run_command(and_also(words, {"-o", "parts.obj"}), folder.path());
+  EXPECT_EQ(none.exit_code, 2) << "it is there already";
+}
+
+TEST(MadeShapesCommand, PartsOfACaseAreWrittenAndOddNamesKeptToTheirLine) {
+  const TemporaryFolder folder;
+  folder.write("odd.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "a\nv 9 9 9", "generate": "box"}]})");
+  ASSERT_EQ(run_command({"decompose", "odd.json", "--save-case", "case.json"}, folder.path()).exit_code, 0);
+  const auto asked = run_command({"decompose", "case.json", "-o", "parts.obj"}, folder.path());
+  EXPECT_NE(asked.out.find("parts.obj: 1 convex part.\n"), std::string::npos) << asked.out << asked.err;
+  EXPECT_TRUE(text_of(folder.path() / "parts.obj").starts_with("o a_v 9 9 9-01\nv "))
+      << text_of(folder.path() / "parts.obj");
+}
+
 TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   const TemporaryFolder folder;
   const auto refused = [&](const MadeBy& words, const std::string& complaint) {
@@ -139,12 +190,15 @@ TEST(MadeShapesCommand, DecomposeRefusesInWords) {
   for (const char* text : {"all", "x"})
     refused({"decompose", "gen:box", "--concavity", text}, "with its own (2mm, 0.1in)\n");
   refused({"decompose", "gen:box", "--concavity", "2mm"}, "add --unit, or leave the unit out");
-  refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "-o or --glb would write a");
+  refused({"decompose", "gen:box", "-o", "a", "--html", "a"}, "--html would write a, which is that of -o too");
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n4 0 0\n0 4 0\n3 0 1 2\n");
-  refused({"decompose", "gen:box", "-o", "parts.obj"},
+  refused({"decompose", "gen:box", "--glb", "parts.obj"},
           "parts.obj: what is written here is GLB; give the file a name that ends in .glb");
   refused({"decompose", "gen:box", "-o", "parts.html"},
-          "parts.html: what is written here is GLB; give the file a name that ends in .glb");
+          "parts.html: the extension names no format that is written (use .obj, .off, .ply, .stl or .glb)");
+  refused({"decompose", "gen:box", "-o", "a.glb", "--glb", "b.glb"}, "-o and --glb both name a GLB file");
+  folder.write("there.obj", "v 0 0 0\n");
+  refused({"decompose", "gen:box", "-o", "there.obj"}, "there.obj: the file exists: choose another name");
   refused({"view", "gen:box", "-o", "box.glb"},
           "box.glb: what is written here is a page (HTML); give the file a name that ends in .html");
   refused({"decompose", "open.off"}, "'open'");

@@ -13,13 +13,13 @@ using test::TemporaryFolder;
 
 bool sum_says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-constexpr const char* two_boxes = R"({"format": "toccata-scene", "version": 1, "objects": [
+constexpr const char* boxes_to_add = R"({"format": "toccata-scene", "version": 1, "objects": [
   {"name": "left", "shape": {"type": "box", "half_extents": [1, 2, 3]}},
   {"name": "right", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "pose": [1,0,0, 0,1,0, 0,0,1, 2,0,0]}]})";
 
 TEST(MinkowskiCommand, WritesWhatItComputes) {
   const TemporaryFolder folder;
-  folder.write("boxes.json", two_boxes);
+  folder.write("boxes.json", boxes_to_add);
   const auto sum = run_command({"minkowski", "boxes.json", "-o", "sum.obj", "--html", "sum.html"}, folder.path());
   EXPECT_EQ(sum.exit_code, 0) << sum.err;
   EXPECT_TRUE(sum_says(sum.out, "8 vertices and 6 faces: 0 of A, 0 of B, 6 of both, 0 of edges")) << sum.out;
@@ -32,7 +32,7 @@ TEST(MinkowskiCommand, WritesWhatItComputes) {
 
 TEST(MinkowskiCommand, WritesOverNoMeshAndNothingWhereItFails) {
   const TemporaryFolder folder;
-  folder.write("boxes.json", two_boxes);
+  folder.write("boxes.json", boxes_to_add);
   folder.write("mine.obj", "mine\n");
   const auto refused = run_command({"minkowski", "boxes.json", "-o", "mine.obj"}, folder.path());
   EXPECT_EQ(refused.exit_code, 2);
@@ -74,7 +74,7 @@ TEST(MinkowskiCommand, TellsBallsCapsulesAndPointsAsWhatTheyAre) {
 
 TEST(MinkowskiCommand, TellsWhereAPointLies) {
   const TemporaryFolder folder;
-  folder.write("boxes.json", two_boxes);
+  folder.write("boxes.json", boxes_to_add);
   const auto side = [&](const std::string& x, int exit_code) {
     const auto result =
         run_command({"minkowski", "boxes.json", "--difference", "--json", "--point", x, "0", "0"}, folder.path());

@@ -11,19 +11,19 @@ using test::run_command;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool tree_says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(TreeCommand, SavesATreeAndKnowsItAgain) {
   const TemporaryFolder folder;
   const auto saved = run_command({"tree", "gen:torus-knot", "--save", "knot.tree"}, folder.path());
   EXPECT_EQ(saved.exit_code, 0) << saved.err;
-  EXPECT_TRUE(says(saved.out, "knot.tree: saved a tree of ")) << saved.out;
+  EXPECT_TRUE(tree_says(saved.out, "knot.tree: saved a tree of ")) << saved.out;
   const auto checked = run_command({"tree", "gen:torus-knot", "--check", "knot.tree"}, folder.path());
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
-  EXPECT_TRUE(says(checked.out, "knot.tree: the tree of ")) << checked.out;
+  EXPECT_TRUE(tree_says(checked.out, "knot.tree: the tree of ")) << checked.out;
   const auto other = run_command({"tree", "gen:torus-knot?p=3&q=2", "--check", "knot.tree"}, folder.path());
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_TRUE(says(other.err, "another mesh")) << other.err;
+  EXPECT_TRUE(tree_says(other.err, "another mesh")) << other.err;
   EXPECT_EQ(other.out, "");
 }
 
@@ -35,7 +35,7 @@ TEST(TreeCommand, RefusesWhatItCannotDo) {
   const auto trouble = [&](const std::vector<std::string>& words, const std::string& part) {
     const auto result = run_command(words, folder.path());
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_TRUE(says(result.err, part)) << result.err;
+    EXPECT_TRUE(tree_says(result.err, part)) << result.err;
     EXPECT_EQ(result.out, "");
   };
   trouble({"tree", "gen:torus-knot"}, "--save FILE");
@@ -72,7 +72,7 @@ TEST(InspectHierarchy, TellsWhatRebalancingGains) {
   const auto table = run_command({"inspect", "rows.gltf", "--hierarchy"}, folder.path());
   EXPECT_EQ(table.exit_code, 0) << table.err;
   for (const char* part : {"over 12 objects", "as it is", "cured", "rebuilt", "N_bv", "times cheaper"})
-    EXPECT_TRUE(says(table.out, part)) << table.out;
+    EXPECT_TRUE(tree_says(table.out, part)) << table.out;
   const Json json = Json::parse(run_command({"inspect", "rows.gltf", "--hierarchy", "--json"}, folder.path()).out);
   EXPECT_EQ(json["schema"], "toccata/hierarchy/1");
   EXPECT_EQ(json["as_is"]["leaves"], 12);

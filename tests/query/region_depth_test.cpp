@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "query/slow_solids.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/contacts.hpp"
@@ -175,72 +176,16 @@ TEST(RegionDepth, OfSolidsThatTouchInOnePlaceAndOverlapInAnotherIsThatOfEach) {
   EXPECT_NEAR(regions[1].area, 0.5, 1e-12);
 }
 
-/// The solid angle of a triangle as seen from a point (A. Van Oosterom, J. Strackee, 1983), over 4 π.
-double winding_number(const Vec3& p, const std::vector<Triangle>& triangles) {
-  double sum = 0;
-  for (const Triangle& t : triangles) {
-    const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-    const double x = std::sqrt(dot(a, a)), y = std::sqrt(dot(b, b)), z = std::sqrt(dot(c, c));
-    sum += 2 * std::atan2(dot(a, cross(b, c)), x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
-  }
-  return sum / (4 * std::acos(-1.0));
-}
-
-double distance_from_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
-  const Vec3 along = to - from;
-  const double length = dot(along, along), at = length > 0 ? std::clamp(dot(p - from, along) / length, 0.0, 1.0) : 0;
-  const Vec3 gap = p - from - at * along;
-  return std::sqrt(dot(gap, gap));
-}
-
-double distance_from(const Vec3& p, const Triangle& t) {
-  double least = std::min({distance_from_segment(p, t[0], t[1]), distance_from_segment(p, t[1], t[2]),
-                           distance_from_segment(p, t[2], t[0])});
-  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  bool is_over = dot(normal, normal) > 0;
-  for (int i = 0; i < 3; ++i) is_over = is_over && dot(normal, cross(t[(i + 1) % 3] - t[i], p - t[i])) >= 0;
-  if (is_over) least = std::min(least, std::abs(dot(normal, p - t[0])) / std::sqrt(dot(normal, normal)));
-  return least;
-}
-
-/// A solid asked in the slow and obvious way.
-struct SlowSolid {
-  SlowSolid(const TriangleMesh& mesh, const Pose& pose) {
-    for (const auto& corner : mesh.triangles())
-      triangles.push_back({{transform(pose, mesh.vertices()[corner[0]]), transform(pose, mesh.vertices()[corner[1]]),
-                            transform(pose, mesh.vertices()[corner[2]])}});
-  }
-  double distance(const Vec3& p) const {
-    double least = 1e300;
-    for (const Triangle& t : triangles) least = std::min(least, distance_from(p, t));
-    return least;
-  }
-  bool holds(const Vec3& p) const { return std::abs(winding_number(p, triangles)) > 0.75; }
-
-  std::vector<Triangle> triangles;
-};
-
-std::vector<TriangleMesh> some_solids() {
-  const std::vector<Vec2> corner = {{-1, -1}, {1, -1}, {1, -0.4}, {-0.4, -0.4}, {-0.4, 1}, {-1, 1}};
-  const std::vector<Vec2> slit = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0.03}, {0, 0.03}, {0, -0.03}, {-1, -0.03}};
-  return {extruded_mesh(slit, 1.2),
-          box_mesh({0.7, 0.8, 0.9}),
-          icosphere_mesh(0.9, 1),
-          extruded_mesh(corner, 0.8),
-          torus_mesh({.radius = 0.7, .tube_radius = 0.25, .around = 12, .sides = 8}),
-          noise_sphere_mesh({.subdivisions = 1})};
-}
-
 TEST(RegionDepth, HoldsWhatASlowOracleFindsForRandomSolids) {
   Random random(11292026);
-  const std::vector<TriangleMesh> meshes = some_solids();
+  const std::vector<TriangleMesh> meshes = test::some_solids();
   int seen = 0, wide = 0;
   for (int i = 0; i < 120; ++i) {
     const TriangleMesh &mesh_a = meshes[random.below(meshes.size())], &mesh_b = meshes[random.below(meshes.size())];
     const Model a(mesh_a), b(mesh_b);
     const PairQuery query{.pose_a = {test::random_rotation(random), {}},
                           .pose_b = {test::random_rotation(random), test::random_vector(random, 1.3)}};
-    const SlowSolid slow_a(mesh_a, query.pose_a), slow_b(mesh_b, query.pose_b);
+    const test::SlowSolid slow_a(mesh_a, query.pose_a), slow_b(mesh_b, query.pose_b);
     for (const ContactRegion& region : contact_regions(a, b, query)) {
       ++seen;
       ASSERT_TRUE(region.depth);
@@ -264,7 +209,7 @@ TEST(RegionDepth, HoldsWhatASlowOracleFindsForRandomSolids) {
 
 TEST(RegionDepth, IsALowerBoundOfThePenetration) {
   Random random(5);
-  const std::vector<TriangleMesh> meshes = some_solids();
+  const std::vector<TriangleMesh> meshes = test::some_solids();
   for (int i = 0; i < 60; ++i) {
     const Model a(meshes[random.below(meshes.size())]), b(meshes[random.below(meshes.size())]);
     const PairQuery query{.pose_b = {test::random_rotation(random), test::random_vector(random, 1.2)}};
@@ -288,7 +233,7 @@ TEST(RegionDepth, IsALowerBoundOfThePenetration) {
 
 TEST(RegionDepth, IsTheSameForTheOtherOrderAndOnManyThreads) {
   Random random(6);
-  const std::vector<TriangleMesh> meshes = some_solids();
+  const std::vector<TriangleMesh> meshes = test::some_solids();
   for (int i = 0; i < 60; ++i) {
     const Model a(meshes[random.below(meshes.size())]), b(meshes[random.below(meshes.size())]);
     PairQuery query{.pose_a = {test::random_rotation(random), {}},

@@ -1,12 +1,9 @@
 // Relations of solids against the regularised intersection of CGAL's Nef polyhedra, and points against its
 // Side_of_triangle_mesh.
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Nef_polyhedron_3.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <fmt/format.h>
 
+#include "query/cgal_solids.hpp"
 #include "support/mesh_soups.hpp"
 #include "support/relation_cases.hpp"
 #include "support/sweep.hpp"
@@ -15,42 +12,6 @@
 
 namespace toccata::test {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
-
-class Builder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
- public:
-  Builder(const TriangleMesh& mesh, const Pose& pose) : mesh_(mesh), pose_(pose) {}
-  void operator()(Polyhedron::HalfedgeDS& target) override {
-    CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(target, true);
-    builder.begin_surface(mesh_.vertices().size(), mesh_.triangles().size());
-    for (const Vec3& v : mesh_.vertices()) {
-      const Vec3 w = transform(pose_, v);
-      builder.add_vertex(Kernel::Point_3(w.x, w.y, w.z));
-    }
-    for (const auto& corners : mesh_.triangles()) builder.add_facet(corners.begin(), corners.end());
-    builder.end_surface();
-  }
-
- private:
-  const TriangleMesh& mesh_;
-  const Pose& pose_;
-};
-
-Polyhedron polyhedron(const TriangleMesh& mesh, const Pose& pose) {
-  Polyhedron result;
-  Builder builder(mesh, pose);
-  result.delegate(builder);
-  return result;
-}
-
-/// The closure of the interior.
-Nef solid(const TriangleMesh& mesh, const Pose& pose) {
-  Polyhedron p = polyhedron(mesh, pose);
-  return Nef(p).regularization();
-}
 
 /// With normals outward in the world, as CGAL wants them.
 RelationCase valid_case(const std::string& family, Random& random) {
@@ -64,14 +25,16 @@ RelationCase valid_case(const std::string& family, Random& random) {
 }
 
 bool volume_in_common(const RelationCase& made) {
-  const Nef common = solid(made.a, made.query.pose_a) * solid(made.b, made.query.pose_b);
+  const CgalNef common = cgal_solid(made.a, made.query.pose_a) * cgal_solid(made.b, made.query.pose_b);
   return !common.interior().is_empty();
 }
 
-bool first_less_second_is_empty(const Nef& first, const Nef& second) { return (first - second).interior().is_empty(); }
+bool first_less_second_is_empty(const CgalNef& first, const CgalNef& second) {
+  return (first - second).interior().is_empty();
+}
 
 Containment containment_by_cgal(const RelationCase& made) {
-  const Nef a = solid(made.a, made.query.pose_a), b = solid(made.b, made.query.pose_b);
+  const CgalNef a = cgal_solid(made.a, made.query.pose_a), b = cgal_solid(made.b, made.query.pose_b);
   const bool a_in_b = first_less_second_is_empty(a, b), b_in_a = first_less_second_is_empty(b, a);
   if (a_in_b && b_in_a) return Containment::equal;
   return a_in_b ? Containment::a_in_b : b_in_a ? Containment::b_in_a : Containment::none;
@@ -98,12 +61,12 @@ SweepResult compare_sides(const std::string& family, std::uint64_t seed, std::ui
   while (result.cases < cases) {
     const RelationCase made = valid_case(family, random);
     const Model model(made.a);
-    const Polyhedron p = polyhedron(made.a, made.query.pose_a);
-    const CGAL::Side_of_triangle_mesh<Polyhedron, Kernel> side_of(p);
+    const CgalPolyhedron p = cgal_polyhedron(made.a, made.query.pose_a);
+    const CGAL::Side_of_triangle_mesh<CgalPolyhedron, CgalKernel> side_of(p);
     for (int i = 0; i < 20 && result.cases < cases; ++i, ++result.cases) {
       const auto coordinate = [&] { return 0.5 * static_cast<double>(random.below(13)) - 1; };
       const double x = coordinate(), y = coordinate(), z = coordinate();
-      const CGAL::Bounded_side expected = side_of(Kernel::Point_3(x, y, z));
+      const CGAL::Bounded_side expected = side_of(CgalKernel::Point_3(x, y, z));
       const Side found = locate({x, y, z}, model, made.query.pose_a).side;
       const bool agrees = (expected == CGAL::ON_BOUNDARY) == (found == Side::boundary) &&
                           (expected == CGAL::ON_BOUNDED_SIDE) == (found == Side::inside);

@@ -166,7 +166,9 @@ SceneQuestion question(Random& random, const Scene& of) {
       if (random.below(2) == 0) check.order = PairOrder::severity;
       if (random.below(2) == 0) {
         const FormerPair was{of.objects[0].name, of.objects[1].name, RelationKind::touching, Containment::b_in_a};
-        check.baseline = Baseline{"old.json", {was, {"gone", "too", RelationKind::apart, Containment::none}}};
+        check.baseline = Baseline{"old.json", {was, {"gone", "too", RelationKind::apart, Containment::none}}, {}};
+        check.baseline->objects = {{of.objects[1].name, of.objects[1].pose, std::nullopt},
+                                   {of.objects[0].name, of.objects[0].pose, Aabb{{-1, 0, 0.25}, vector(random, true)}}};
       }
       return check;
     }

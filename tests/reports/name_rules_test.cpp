@@ -82,7 +82,7 @@ TEST(NameRules, LeaveThePairsOfTheDefinition) {
     std::vector<SceneInstance> models;
     for (const char* const name : {"a", "b", "ab", "ba", "aab", "bb"}) models.push_back({Sphere{1}, {}, {}, name, {}});
     const NameRules rules{some_rules(random), some_rules(random)};
-    const PairFilter wanted = io::wanted_pairs(rules, models);
+    const PairFilter wanted = io::pair_rules(rules, models).wanted;
     ASSERT_EQ(wanted == nullptr, rules.empty());
     for (Index a = 0; wanted && a < models.size(); ++a)
       for (Index b = a + 1; b < models.size(); ++b) {
@@ -92,6 +92,29 @@ TEST(NameRules, LeaveThePairsOfTheDefinition) {
         ASSERT_EQ(wanted({a, b}), expected) << one << " " << other;
       }
   }
+}
+
+TEST(NameRules, TellTheLengthsOfTheDefinition) {
+  Random random(10);
+  std::size_t told = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<SceneInstance> models;
+    for (const char* const name : {"a", "b", "ab", "ba", "aab", "bb"}) models.push_back({Sphere{1}, {}, {}, name, {}});
+    NameRules rules;
+    for (const NameRule& rule : some_rules(random)) rules.clearances.push_back({rule, random.unit()});
+    const RuleClearances found = io::pair_rules(rules, models).clearances;
+    ASSERT_EQ(found.of_pair == nullptr, rules.clearances.empty());
+    for (Index a = 0; found.of_pair && a < models.size(); ++a)
+      for (Index b = a + 1; b < models.size(); ++b) {
+        std::optional<double> expected;
+        for (const LengthRule& rule : rules.clearances)
+          if (is_of({rule.pairs}, models[a].name, models[b].name)) expected = rule.length;
+        ASSERT_EQ(found.of_pair({a, b}), expected) << models[a].name << " " << models[b].name;
+        ASSERT_GE(std::min(found.greatest[a], found.greatest[b]), expected.value_or(0));
+        told += expected ? 1U : 0U;
+      }
+  }
+  EXPECT_GT(told, 300U);
 }
 
 TEST(NameRules, LeaveAPairWhereTheDefinitionDoes) {

@@ -183,7 +183,7 @@ def check_baseline(checks, browser):
     headings = browser.value(HEADINGS)
     report = json.loads(checks.run("check", "hall.json", "--tolerance", "0.1", "--baseline", "old.json", "--json"))
     told = report["baseline"]
-    for state in ["new", "known", "graver"]:
+    for state in ["new", "known", "moved", "graver"]:
         if told[state]:
             checks.expect(f"{state} · {told[state]}" in headings, f"{state}: {headings}")
     checks.expect(f"gone · {len(told['gone'])}" in headings, f"gone: {headings}")

@@ -150,8 +150,9 @@ export interface Pair {
   manifold?: { normal: Vec; points: { position: Vec; depth: number }[] } | null;
   regions?: Region[];
   distance?: Distance;
-  baseline?: 'new' | 'known' | 'graver';
+  baseline?: 'new' | 'known' | 'moved' | 'graver';
   was?: { relation: string; containment: string };
+  moved_by?: number;
   kind?: string;
   volume?: { lower: number; upper: number; status: string } | null;
   point?: Vec | null;

@@ -136,13 +136,17 @@ function ofGone(pair: GonePair, report: Report): Finding {
   };
 }
 
+/// How it stands against the baseline.
+const sinceOf = ({ baseline, moved_by }: Pair, unit: string): string =>
+  baseline === 'moved' && moved_by ? `moved by ${lengthText(moved_by, unit)}` : (baseline ?? '');
+
 /// What stands below the sentence: of ten thousand pairs it is put together for the one that is chosen.
 function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
   const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
   if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
   facts.push(...volumeFacts(pair, unit));
   if (pair.tolerance) facts.push([toleranceWords[pair.tolerance]]);
-  if (pair.baseline) facts.push([`since the baseline: ${pair.baseline}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
+  if (pair.baseline) facts.push([`since the baseline: ${sinceOf(pair, unit)}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
   if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, unit));
   if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
   return facts;
@@ -194,7 +198,7 @@ const boxesOf = (regions: Region[] | undefined) =>
 
 function sinceText(pairs: Pair[], gone: number): string {
   const count = (since: string) => pairs.filter((pair) => pair.baseline === since).length;
-  return `since the baseline ${count('new')} new, ${count('graver')} graver, ${count('known')} known, ${gone} gone`;
+  return `since the baseline ${count('new')} new, ${count('graver')} graver, ${count('moved')} moved, ${count('known')} known, ${gone} gone`;
 }
 
 /// Where there is nothing that could collide, the page is about what can be looked at.

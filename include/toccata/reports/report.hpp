@@ -55,6 +55,15 @@ struct FormerPair {
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
 
+/// How an object lay of which an earlier report tells.
+struct FormerObject {
+  std::string name;
+  Pose pose;  ///< in units of the world of now
+  /// In the object's own frame; of a half-space the point of its plane nearest to the origin; none of what has no end
+  std::optional<Aabb> box;
+  friend bool operator==(const FormerObject&, const FormerObject&) = default;
+};
+
 using ClashKind = PairAnswer::Kind;
 using ToleranceVerdict = PairAnswer::Tolerance;
 
@@ -70,6 +79,7 @@ struct ReportedPair {
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;      ///< filled when the answer has distances
   std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
+  std::optional<double> moved_by{};      ///< how far one of the two has moved as seen from the other, where it has
   ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
   ToleranceVerdict tolerance = ToleranceVerdict::none;
   std::optional<OverlapVolume> volume{};
@@ -96,18 +106,19 @@ struct NameRule {
   std::vector<std::string> b;
 };
 
-/// How deep pairs of a rule may overlap.
-struct ToleranceRule {
+/// A length that is asked of the pairs of a rule.
+struct LengthRule {
   NameRule pairs;
-  double tolerance = 0;  ///< world units
+  double length = 0;  ///< world units
 };
 
-/// Which pairs are checked: without rules all that are not of one group.
+/// Which pairs are checked: without rules all that are not of one group. And what is asked of some.
 struct NameRules {
   std::vector<NameRule> between{};  ///< where there are any: only pairs of one of these
   std::vector<NameRule> ignored{};  ///< no pair of these
-  /// Instead of the tolerance of all pairs. Where several rules are about a pair, the last counts.
-  std::vector<ToleranceRule> tolerances{};
+  /// Instead of the tolerance, and of the clearance, of all pairs. Where several rules are about a pair, the last
+  /// counts; a clearance of that pair alone counts more.
+  std::vector<LengthRule> tolerances{}, clearances{};
   /// Whether the rules leave no pair out.
   [[nodiscard]] bool empty() const { return between.empty() && ignored.empty(); }
 };
@@ -120,6 +131,7 @@ struct NameRules {
 struct Baseline {
   std::string file;  ///< for people
   std::vector<FormerPair> pairs;
+  std::vector<FormerObject> objects{};  ///< those of the pairs, where they are known
 };
 
 /// Why a pair of the baseline is no longer reported.
@@ -135,8 +147,9 @@ struct GonePair {
   GoneReason reason = GoneReason::apart;
 };
 
-/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch.
-enum class Since { added, known, graver };
+/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch. What is no
+/// graver has moved where one of the two lies otherwise to the other (ReportedPair::moved_by).
+enum class Since { added, known, moved, graver };
 
 /// The order in which pairs are reported.
 enum class PairOrder {
@@ -168,6 +181,7 @@ struct CheckReport {
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
   std::vector<PairClearance> pair_clearances{};
+  std::vector<LengthRule> clearance_rules{};
   std::optional<std::size_t> left_out{};  ///< where there are rules: pairs that only they kept from being looked at
   std::optional<std::string> baseline{};  ///< the file, where there is one
   std::vector<GonePair> gone{};           ///< of the baseline, in its order
@@ -189,7 +203,7 @@ struct CheckReport {
 
 /// Where there is a baseline.
 [[nodiscard]] Since since_baseline(const ReportedPair& pair);
-/// "new", "known", "graver".
+/// "new", "known", "moved", "graver".
 [[nodiscard]] std::string name_of(Since since);
 /// "apart", "touching", "left_out", "no_object".
 [[nodiscard]] std::string name_of(GoneReason reason);
@@ -286,6 +300,11 @@ struct DecomposeReport {
 
 /// The parts as objects, "gear-01" of a gear, of one group: they are not checked against each other.
 [[nodiscard]] Scene parts_scene(const DecomposeReport& report, const std::string& unit);
+
+/// Writes the parts into one mesh file, OBJ, OFF, ASCII STL or PLY by the extension: in the world, and each of OBJ and
+/// STL under its name. Of a flat part its front is written. Reading the file gives the same doubles. It is complete or
+/// not there. Throws Error naming the file, also where no part has a face.
+void write_parts(const DecomposeReport& report, const std::string& path);
 
 struct ReportedDistance {
   Index a = 0;  ///< the object's place in the scene

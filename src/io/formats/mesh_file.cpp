@@ -75,6 +75,15 @@ std::vector<NamedMesh> parse_mesh_parts(std::span<const char> bytes, std::string
   return parts;
 }
 
+void write_mesh_file(std::span<const WrittenMesh> meshes, const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".obj") return write_file(path, obj_text(meshes));
+  if (extension == ".off") return write_file(path, off_text(meshes));
+  if (extension == ".ply") return write_file(path, ply_text(meshes));
+  if (extension == ".stl") return write_file(path, stl_text(meshes));
+  fail_in_file(path, {"the extension names no format that is written", "use .obj, .off, .ply or .stl"});
+}
+
 }  // namespace io
 
 TriangleMesh read_mesh(const std::string& path) {
@@ -83,12 +92,8 @@ TriangleMesh read_mesh(const std::string& path) {
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::string& path) {
-  const std::string extension = io::lower_case_extension(path);
-  if (extension == ".obj") return io::write_file(path, io::obj_text(mesh));
-  if (extension == ".off") return io::write_file(path, io::off_text(mesh));
-  if (extension == ".ply") return io::write_file(path, io::ply_text(mesh));
-  if (extension == ".stl") return io::write_file(path, io::stl_text(mesh));
-  io::fail_in_file(path, {"the extension names no format that is written", "use .obj, .off, .ply or .stl"});
+  const io::WrittenMesh one{"", &mesh};
+  io::write_mesh_file(std::span(&one, 1), path);
 }
 
 }  // namespace toccata

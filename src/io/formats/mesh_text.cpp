@@ -31,35 +31,37 @@ Vec3 displayed_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? over(normal, length) : Vec3{};
 }
 
-}  // namespace
-
-std::string obj_text(const TriangleMesh& mesh) {
-  std::string text;
-  append_vertices(text, mesh, "v ");
-  append_triangles(text, mesh, "f ", 1);
-  return text;
+/// Line breaks and other control characters are no part of a name in a file of lines.
+std::string line_safe(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '_';
+  return name;
 }
 
-std::string off_text(const TriangleMesh& mesh) {
-  std::string text = fmt::format("OFF\n{} {} 0\n", mesh.vertices().size(), mesh.triangles().size());
-  append_vertices(text, mesh, "");
-  append_triangles(text, mesh, "3 ", 0);
-  return text;
+struct MeshCounts {
+  std::size_t vertices = 0, triangles = 0;
+};
+
+MeshCounts counts_of(std::span<const WrittenMesh> meshes) {
+  MeshCounts counts;
+  for (const WrittenMesh& one : meshes) {
+    counts.vertices += one.mesh->vertices().size();
+    counts.triangles += one.mesh->triangles().size();
+  }
+  return counts;
 }
 
-std::string ply_text(const TriangleMesh& mesh) {
-  std::string text = fmt::format(
-      "ply\nformat ascii 1.0\n"
-      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-      mesh.vertices().size(), mesh.triangles().size());
-  append_vertices(text, mesh, "");
-  append_triangles(text, mesh, "3 ", 0);
-  return text;
+/// All vertices and then all triangles, as one mesh.
+void append_joined(std::string& text, std::span<const WrittenMesh> meshes) {
+  for (const WrittenMesh& one : meshes) append_vertices(text, *one.mesh, "");
+  std::size_t first = 0;
+  for (const WrittenMesh& one : meshes) {
+    append_triangles(text, *one.mesh, "3 ", first);
+    first += one.mesh->vertices().size();
+  }
 }
 
-std::string stl_text(const TriangleMesh& mesh) {
-  std::string text = "solid mesh\n";
+void append_facets(std::string& text, const TriangleMesh& mesh) {
   for (const auto& triangle : mesh.triangles()) {
     const Vec3 &a = mesh.vertices()[triangle[0]], &b = mesh.vertices()[triangle[1]], &c = mesh.vertices()[triangle[2]];
     const Vec3 normal = displayed_normal(a, b, c);
@@ -67,7 +69,54 @@ std::string stl_text(const TriangleMesh& mesh) {
     for (const Vec3& v : {a, b, c}) fmt::format_to(std::back_inserter(text), "  vertex {} {} {}\n", v.x, v.y, v.z);
     text += " endloop\nendfacet\n";
   }
-  return text + "endsolid mesh\n";
+}
+
+}  // namespace
+
+std::string obj_text(std::span<const WrittenMesh> meshes) {
+  std::string text;
+  std::size_t first = 1;
+  for (const WrittenMesh& one : meshes) {
+    if (!one.name.empty()) text += "o " + line_safe(one.name) + "\n";
+    append_vertices(text, *one.mesh, "v ");
+    append_triangles(text, *one.mesh, "f ", first);
+    first += one.mesh->vertices().size();
+  }
+  return text;
+}
+
+std::string obj_text(const TriangleMesh& mesh) {
+  const WrittenMesh one{"", &mesh};
+  return obj_text(std::span(&one, 1));
+}
+
+std::string off_text(std::span<const WrittenMesh> meshes) {
+  const MeshCounts counts = counts_of(meshes);
+  std::string text = fmt::format("OFF\n{} {} 0\n", counts.vertices, counts.triangles);
+  append_joined(text, meshes);
+  return text;
+}
+
+std::string ply_text(std::span<const WrittenMesh> meshes) {
+  const MeshCounts counts = counts_of(meshes);
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+      counts.vertices, counts.triangles);
+  append_joined(text, meshes);
+  return text;
+}
+
+std::string stl_text(std::span<const WrittenMesh> meshes) {
+  std::string text;
+  for (const WrittenMesh& one : meshes) {
+    const std::string name = one.name.empty() ? "mesh" : line_safe(one.name);
+    text += "solid " + name + "\n";
+    append_facets(text, *one.mesh);
+    text += "endsolid " + name + "\n";
+  }
+  return text;
 }
 
 }  // namespace toccata::io

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/scenes/scene_parts.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
@@ -48,21 +49,10 @@ std::vector<NamedMeshBox> mesh_boxes_of(const Scene& scene) {
   return named;
 }
 
-/// None where the scene does not say, or in words of its own.
-std::optional<double> unit_in_metres(std::string_view unit) {
-  if (unit == "unit") return std::nullopt;
-  if (unit.ends_with(" m")) unit.remove_suffix(2);  // metres per unit, as a number
-  try {
-    return metres_per_unit(unit);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
 /// Whether the whole is larger or smaller than what is mostly asked about; empty where it is not. A factor of 1000 more
 /// or less makes a car of a machine part, and a town of a car.
 std::string size_warning(const std::vector<NamedMeshBox>& boxes, const std::string& unit) {
-  const std::optional<double> metres = unit_in_metres(unit);
+  const std::optional<double> metres = io::unit_in_metres(unit);
   if (!metres || boxes.empty()) return {};
   Aabb whole;
   for (const NamedMeshBox& one : boxes) whole = merge(whole, one.box);
@@ -76,6 +66,16 @@ std::string size_warning(const std::vector<NamedMeshBox>& boxes, const std::stri
 }
 
 }  // namespace
+
+std::optional<double> io::unit_in_metres(std::string_view unit) {
+  if (unit == "unit") return std::nullopt;
+  if (unit.ends_with(" m")) unit.remove_suffix(2);  // metres per unit, as a number
+  try {
+    return metres_per_unit(unit);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
 
 std::vector<std::string> scale_warnings(const Scene& scene) {
   constexpr double absurd = 500;  // millimetres among metres are a factor of 1000

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "io/formats/json_value.hpp"
 #include "toccata/shapes/scene.hpp"
@@ -33,6 +35,9 @@ enum class MeshFileIs { one_object, its_parts };
 [[nodiscard]] Scene read_shapes(const std::filesystem::path& path, MeshFileIs mesh_file = MeshFileIs::one_object);
 
 [[nodiscard]] bool is_gltf(const std::filesystem::path& path);
+
+/// What a world unit is, by what a scene calls it; none where the scene does not say, or in words of its own.
+[[nodiscard]] std::optional<double> unit_in_metres(std::string_view unit);
 
 /// Whether a factor between units, or what is left of one after a product, still scales: positive, finite, and of full
 /// precision. A product of sensible factors may be 0 or infinite.

@@ -38,28 +38,27 @@ constexpr std::size_t pairs_at_once = 4096;
 
 class Check {
  public:
-  Check(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
-        const PairTolerances& tolerances, const CheckWatch& watch)
+  Check(std::span<const SceneInstance> models, const CheckOptions& options, const CheckPairRules& rules,
+        const CheckWatch& watch)
       : models_(models),
         options_(options),
-        wanted_(wanted),
-        tolerances_(tolerances),
+        rules_(rules),
         watch_(watch),
         clearances_({models.size(), [&](std::size_t i) { return name_for_messages(models[i], i); },
                      [&](std::size_t i) -> std::string_view { return models[i].group; }},
-                    options),
+                    options, rules.clearances),
         posed_(posed_model_pair()),
         groups_(group_numbers()) {}
 
   WantedAnswer answer() {
     const std::vector<Aabb> boxes = world_boxes();
     const std::vector<IndexPair> others = near_pairs_with_own_clearance(boxes);
-    const std::vector<Aabb> offset_boxes = offset_by_half(boxes, clearances_.common());
+    const std::vector<Aabb> offset_boxes = offset_by_half(boxes);
     std::atomic<std::size_t> left_out = 0;
     bool is_counting = true;  // while the candidates are: then each pair is asked about once
     const PairFilter is_candidate = [&](const IndexPair& pair) {
-      if (!is_checked(pair)) return false;
-      if (!wanted_ || wanted_(pair)) return true;
+      if (!is_checked(pair) || (clearances_.have_rules() && !are_near(boxes, pair))) return false;
+      if (!rules_.wanted || rules_.wanted(pair)) return true;
       if (is_counting) left_out.fetch_add(1, std::memory_order_relaxed);
       return false;
     };
@@ -111,19 +110,24 @@ class Check {
     return boxes;
   }
 
-  static std::vector<Aabb> offset_by_half(std::vector<Aabb> boxes, double clearance) {
-    for (Aabb& box : boxes) box = widened(box, half_rounded_up(clearance));
+  /// By the clearances that are not of pairs of their own.
+  [[nodiscard]] std::vector<Aabb> offset_by_half(std::vector<Aabb> boxes) const {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      boxes[i] = widened(boxes[i], half_rounded_up(clearances_.greatest_of(i)));
     return boxes;
+  }
+
+  /// By the clearance of that pair.
+  [[nodiscard]] bool are_near(std::span<const Aabb> boxes, const IndexPair& pair) const {
+    const double half = half_rounded_up(clearances_.of(pair));
+    return overlap(widened(boxes[pair.first], half), widened(boxes[pair.second], half));
   }
 
   /// The pairs that are near by a clearance of their own, ascending: no other pair's boxes grow by it.
   [[nodiscard]] std::vector<IndexPair> near_pairs_with_own_clearance(std::span<const Aabb> boxes) const {
     std::vector<IndexPair> pairs;
-    for (const auto& [pair, clearance] : clearances_.of_pairs()) {
-      const double half = half_rounded_up(clearance);
-      if (overlap(widened(boxes[pair.first], half), widened(boxes[pair.second], half)))
-        pairs.push_back({pair.first, pair.second});
-    }
+    for (const auto& [pair, clearance] : clearances_.of_pairs())
+      if (are_near(boxes, {pair.first, pair.second})) pairs.push_back({pair.first, pair.second});
     return pairs;
   }
 
@@ -185,7 +189,7 @@ class Check {
   }
 
   [[nodiscard]] std::optional<double> tolerance_of(const IndexPair& pair) const {
-    const std::optional<double> own = tolerances_ ? tolerances_(pair) : std::nullopt;
+    const std::optional<double> own = rules_.tolerances ? rules_.tolerances(pair) : std::nullopt;
     return own ? own : options_.tolerance;
   }
 
@@ -343,8 +347,7 @@ class Check {
 
   std::span<const SceneInstance> models_;
   const CheckOptions& options_;
-  const PairFilter& wanted_;
-  const PairTolerances& tolerances_;
+  const CheckPairRules& rules_;
   const CheckWatch& watch_;
   Clearances clearances_;
   std::vector<PosedModel> posed_;
@@ -361,12 +364,12 @@ CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions&
   return check_wanted(models, options, {}).answer;
 }
 
-WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options, const PairFilter& wanted,
-                          const PairTolerances& tolerances, const CheckWatch& watch) {
+WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
+                          const CheckPairRules& rules, const CheckWatch& watch) {
   require_usable(options.depth);
   if (options.tolerance && !(*options.tolerance >= 0))
     throw Error(fmt::format("the tolerance is {}; it has to be a length of 0 or more", *options.tolerance));
-  return Check(models, options, wanted, tolerances, watch).answer();
+  return Check(models, options, rules, watch).answer();
 }
 
 }  // namespace toccata

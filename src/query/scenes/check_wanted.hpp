@@ -4,14 +4,28 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/query/check_all.hpp"
 
 namespace toccata {
 
-/// The tolerance of a pair that has one of its own, else nothing; pairs come in ascending order.
-using PairTolerances = std::function<std::optional<double>(const IndexPair&)>;
+/// The length that a rule tells of a pair, else nothing; pairs come in ascending order.
+using PairLengths = std::function<std::optional<double>(const IndexPair&)>;
+
+/// Clearances that rules tell, in place of that of all pairs.
+struct RuleClearances {
+  PairLengths of_pair{};           ///< empty where there are no rules
+  std::vector<double> greatest{};  ///< of the rules that each model is in, 0 where it is in none; finite
+};
+
+/// What rules say of pairs. What is empty says nothing.
+struct CheckPairRules {
+  PairFilter wanted{};       ///< which are looked at; empty: all
+  PairLengths tolerances{};  ///< in place of that of all pairs
+  RuleClearances clearances{};
+};
 
 /// What `check_all` answers of the pairs that are wanted alone.
 struct WantedAnswer {
@@ -28,10 +42,8 @@ struct CheckWatch {
   std::function<void(const PairAnswer&)> found{};
 };
 
-/// Without a filter all are wanted. The pair clearances are of pairs that are. A tolerance of its own takes the place
-/// of that of all.
+/// The pair clearances are of pairs that are wanted, and count more than rules.
 [[nodiscard]] WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
-                                        const PairFilter& wanted, const PairTolerances& tolerances = {},
-                                        const CheckWatch& watch = {});
+                                        const CheckPairRules& rules, const CheckWatch& watch = {});
 
 }  // namespace toccata

@@ -32,8 +32,12 @@ void require_checked_pair(const NamedModels& models, const PairClearance& pair) 
 
 }  // namespace
 
-Clearances::Clearances(const NamedModels& models, const CheckOptions& options)
-    : is_asked_(options.clearance || !options.pair_clearances.empty()), common_(options.clearance.value_or(0)) {
+const RuleClearances Clearances::no_rules{};
+
+Clearances::Clearances(const NamedModels& models, const CheckOptions& options, const RuleClearances& rules)
+    : is_asked_(options.clearance || !options.pair_clearances.empty() || rules.of_pair),
+      common_(options.clearance.value_or(0)),
+      rules_(&rules) {
   require_length(common_);
   for (const PairClearance& pair : options.pair_clearances) {
     require_length(pair.clearance);

@@ -13,6 +13,7 @@
 #include "reports/clash_groups.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
+#include "reports/pair_motion.hpp"
 #include "reports/pair_order.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
@@ -56,7 +57,7 @@ void add_clearances(io::Json& json, const Scene& scene, const CheckReport& repor
 void add_baseline(io::Json& json, const CheckReport& report) {
   if (!report.baseline) return;
   io::Json& baseline = json["baseline"] = {{"file", io::as_utf8(*report.baseline)}};
-  for (const Since since : {Since::added, Since::known, Since::graver})
+  for (const Since since : {Since::added, Since::known, Since::moved, Since::graver})
     baseline[name_of(since)] = std::count_if(report.pairs.begin(), report.pairs.end(),
                                              [&](const ReportedPair& pair) { return since_baseline(pair) == since; });
   io::Json& gone = baseline["gone"] = io::Json::array();
@@ -64,6 +65,13 @@ void add_baseline(io::Json& json, const CheckReport& report) {
     gone.push_back(io::json_of(pair.was));
     gone.back()["reason"] = name_of(pair.reason);
   }
+}
+
+/// Around each object in its own frame, where it has an end: by it and its pose another report knows whether it has
+/// moved since.
+void add_boxes(io::Json& json, std::span<const SceneInstance> models) {
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (const auto box = io::placed(models[i]).box) json["objects"][i]["box"] = io::json_of(*box);
 }
 
 /// What was asked about tolerances, where something was, and which clashes belong together.
@@ -97,11 +105,12 @@ void add_common_volume(io::Json& line, const ReportedPair& pair) {
   line["point"] = pair.common_point ? io::json_of(*pair.common_point) : io::Json();
 }
 
-/// How a pair stands against the baseline; with what it was, where that was something else.
+/// How a pair stands against the baseline; with what it was, where that was something else, and how far it has moved.
 void add_since(io::Json& line, const ReportedPair& pair) {
   line["baseline"] = name_of(since_baseline(pair));
   if (pair.was && (pair.was->kind != pair.relation.kind || pair.was->containment != pair.relation.containment))
     line["was"] = {{"relation", name_of(pair.was->kind)}, {"containment", name_of(pair.was->containment)}};
+  if (pair.moved_by) line["moved_by"] = *pair.moved_by;
 }
 
 /// A line, and where the report has faces one more for each pair of them.
@@ -150,7 +159,7 @@ std::string csv_end_names(const CheckReport& report) {
   if (report.has_volume) names += volume_fields;
   if (report.clearance)
     for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
-  if (report.baseline) names += ",baseline,was_relation,was_containment";
+  if (report.baseline) names += ",baseline,was_relation,was_containment,moved_by";
   if (report.grouping != ClashGrouping::none) names += ",group";
   return names + "\n";
 }
@@ -162,7 +171,8 @@ std::string csv_of_distance(const ReportedPair& pair) {
 
 std::string csv_of_baseline(const ReportedPair& pair) {
   const std::string was = pair.was ? name_of(pair.was->kind) + "," + name_of(pair.was->containment) : ",";
-  return "," + name_of(since_baseline(pair)) + "," + was;
+  return fmt::format(",{},{},{}", name_of(since_baseline(pair)), was,
+                     pair.moved_by ? fmt::format("{}", *pair.moved_by) : "");
 }
 
 std::string csv_of_volume(const ReportedPair& pair) {
@@ -201,10 +211,10 @@ std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
   const std::size_t between = (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? 1 : 0) +
                               (report.has_volume ? 6 : 0) + (report.clearance ? distance_fields.size() : 0);
   for (const GonePair& pair : report.gone)
-    csv +=
-        fmt::format("{},{},{}{},gone,{},{}{}\n", csv_field(io::as_utf8(pair.was.a)), csv_field(io::as_utf8(pair.was.b)),
-                    name_of(pair.reason), std::string(fields_of_pair - 3 + between, ','), name_of(pair.was.kind),
-                    name_of(pair.was.containment), report.grouping != ClashGrouping::none ? "," : "");
+    csv += fmt::format("{},{},{}{},gone,{},{},{}\n", csv_field(io::as_utf8(pair.was.a)),
+                       csv_field(io::as_utf8(pair.was.b)), name_of(pair.reason),
+                       std::string(fields_of_pair - 3 + between, ','), name_of(pair.was.kind),
+                       name_of(pair.was.containment), report.grouping != ClashGrouping::none ? "," : "");
   return csv;
 }
 
@@ -270,13 +280,19 @@ double finite_length_of(const io::JsonValue& value) {
   return length;
 }
 
-std::vector<ToleranceRule> tolerances_in(const io::JsonValue& question) {
-  std::vector<ToleranceRule> rules;
-  for (const io::JsonValue& rule : question.elements("tolerances")) {
-    rule.expect_keys({"a", "b", "tolerance"});
-    rules.push_back({{patterns_of(rule.at("a")), patterns_of(rule.at("b"))}, finite_length_of(rule.at("tolerance"))});
+/// The list of rules that each say a length under that name.
+std::vector<LengthRule> length_rules_of(const io::JsonValue& question, const char* list, const char* length) {
+  std::vector<LengthRule> rules;
+  for (const io::JsonValue& rule : question.elements(list)) {
+    rule.expect_keys({"a", "b", length});
+    rules.push_back({{patterns_of(rule.at("a")), patterns_of(rule.at("b"))}, finite_length_of(rule.at(length))});
   }
   return rules;
+}
+
+void add_length_rules(io::Json& json, const std::vector<LengthRule>& rules, const char* list, const char* length) {
+  for (const LengthRule& rule : rules)
+    json[list].push_back({{"a", json_of(rule.pairs.a)}, {"b", json_of(rule.pairs.b)}, {length, rule.length}});
 }
 
 bool has_bounds(const Aabb& box) {
@@ -327,9 +343,8 @@ struct CheckKind {
     if (!q.rules.ignored.empty()) json["ignore"] = json_of(q.rules.ignored);
     if (q.volume) json["volume"] = true;
     if (q.tolerance) json["tolerance"] = *q.tolerance;
-    for (const ToleranceRule& rule : q.rules.tolerances)
-      json["tolerances"].push_back(
-          {{"a", json_of(rule.pairs.a)}, {"b", json_of(rule.pairs.b)}, {"tolerance", rule.tolerance}});
+    add_length_rules(json, q.rules.tolerances, "tolerances", "tolerance");
+    add_length_rules(json, q.rules.clearances, "clearances", "clearance");
     if (!q.penetration && (q.tolerance || !q.rules.tolerances.empty())) io::add_depth_options(json, q.depth);
     if (q.grouping != ClashGrouping::none) json["group"] = name_of(q.grouping);
     if (q.order == PairOrder::severity) json["sort"] = "severity";
@@ -341,7 +356,7 @@ struct CheckKind {
   static CheckQuestion read(const io::JsonValue& value) {
     value.expect_keys({"question", "touching", "faces", "penetration", "precision", "time_per_depth", "clearance",
                        "pair_clearances", "between", "ignore", "sort", "baseline", "by_winding", "volume", "tolerance",
-                       "tolerances", "group"});
+                       "tolerances", "clearances", "group"});
     CheckQuestion q;
     q.touching = io::touching_of(value);
     q.faces = value.flag_or("faces", false);
@@ -360,7 +375,8 @@ struct CheckKind {
                                    static_cast<Index>(pair.at("b_index").whole(most)),
                                    io::length_of(pair.at("clearance"))});
     }
-    q.rules = {rules_of(value, "between"), rules_of(value, "ignore"), tolerances_in(value)};
+    q.rules = {rules_of(value, "between"), rules_of(value, "ignore"), length_rules_of(value, "tolerances", "tolerance"),
+               length_rules_of(value, "clearances", "clearance")};
     q.order = io::pair_order_of(value);
     q.by_winding = value.flag_or("by_winding", false);
     if (value.has("baseline")) q.baseline = io::baseline_of(value.at("baseline"));
@@ -380,15 +396,17 @@ struct CheckKind {
     options.progress = asking.options.progress;
     if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
       throw Error("nothing would be checked: the rules leave no pair of two objects");
-    const PairFilter wanted = io::wanted_pairs(question.rules, asking.models);
-    require_wanted(question.pair_clearances, wanted, asking.models);
-    const WantedAnswer found = check_wanted(
-        asking.models, options, wanted, io::tolerances_of(question.rules, asking.models), watch_of(question, asking));
+    const CheckPairRules rules = io::pair_rules(question.rules, asking.models);
+    require_wanted(question.pair_clearances, rules.wanted, asking.models);
+    const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking));
     CheckReport report = make_check_report(asking.models, found.answer, question);
     report.unfinished = found.unfinished;
-    if (question.by_winding && report.unfinished == 0) io::add_contained_by_winding(asking.models, wanted, report);
-    if (wanted) report.left_out = found.left_out;
-    if (question.baseline) io::compare_with(*question.baseline, {asking.models, wanted, found.answer}, report);
+    if (question.by_winding && report.unfinished == 0)
+      io::add_contained_by_winding(asking.models, rules.wanted, report);
+    if (rules.wanted) report.left_out = found.left_out;
+    if (question.baseline)
+      io::compare_with(*question.baseline, {asking.models, rules, found.answer, question.tolerance.value_or(0)},
+                       report);
     // What was not looked at is not known to be apart.
     if (report.unfinished > 0)
       std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
@@ -400,6 +418,7 @@ struct CheckKind {
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
+    add_boxes(json, reporting.models);
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
     add_tolerance_and_groups(json, reporting.scene, report);

@@ -80,8 +80,6 @@ io::Json json_of(const MeshFault& fault) {
   return json;
 }
 
-io::Json json_of(const Aabb& box) { return {{"lower", json_of(box.lower)}, {"upper", json_of(box.upper)}}; }
-
 io::Json json_of(const ConvexHull& hull) {
   const HullTopology topology = hull.topology();
   return {{"vertices", hull.vertex_count()},
