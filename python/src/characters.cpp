@@ -14,7 +14,7 @@ void bind_mover_options(nb::module_& module) {
   nb::class_<MoverOptions>(module, "MoverOptions",
                            R"(How a character moves (move_character). Lengths are in the unit of the coordinates.
 
-up: a vector, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
+up: a vector in the world, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
 steepest ground that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
 is looked for. max_slides: how often the way may bend in one step. Options out of range are told by move_character, which
 raises Error.)")

@@ -305,7 +305,8 @@ void bind_impacts(nb::module_& module) {
       nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
       "When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and "
       "the "
-      "three corners, at the times 0 and 1, in any unit; they move straight on. A structured array of hit, lower and "
+      "three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of "
+      "hit, lower and "
       "upper, "
       "two neighbouring multiples of 2**-40 (the cubic: X. Provot, \"Collision and self-collision handling in cloth "
       "model "

@@ -402,7 +402,7 @@ void bind_triangle(nb::module_& module) {
   nb::class_<Triple, AnyShape>(
       module, "Triangle",
       "A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), "
-      "in any unit. Raises Error when a number is not finite.")
+      "in its own frame and any unit. Raises Error when a number is not finite.")
       .def(
           "__init__",
           [](Triple* place, const ArrayLike& vertices) {
@@ -428,12 +428,13 @@ void bind_triangle(nb::module_& module) {
 }
 
 void bind_hull(nb::module_& module) {
-  nb::class_<Hull, AnyShape>(module, "ConvexHull",
-                             "The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. "
-                             "Dobkin, H. Huhdanpaa, \"The "
-                             "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
-                             "Raises Error when there is no "
-                             "point, or one is not finite.")
+  nb::class_<Hull, AnyShape>(
+      module, "ConvexHull",
+      "The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. "
+      "Dobkin, H. Huhdanpaa, \"The "
+      "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
+      "Raises Error when there is no "
+      "point, or one is not finite.")
       .def(
           "__init__",
           [](Hull* place, const ArrayLike& points) {
@@ -462,7 +463,8 @@ void bind_hull(nb::module_& module) {
 void bind_height_field(nb::module_& module) {
   nb::class_<Field, AnyShape>(
       module, "HeightField",
-      "A surface above a grid in the x-y plane: the vertex of row j and column i is (i * spacing[0], j * spacing[1], "
+      "A surface above a grid in the x-y plane of its own frame: the vertex of row j and column i is (i * spacing[0], "
+      "j * spacing[1], "
       "heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a "
       "number is not finite, or a spacing is not positive.")
       .def(
@@ -604,28 +606,30 @@ void bind_shapes(nb::module_& module) {
                    equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
           },
           nb::sig("def __eq__(self, other: object, /) -> bool"));
-  bind_described<Point>(module, "Point",
-                        "One point, shape (3,), in any unit: a surface. Raises Error when a number is not finite.");
-  bind_described<Segment>(
-      module, "Segment",
-      "A segment between two points, shape (3,), in any unit: a surface. Raises Error when a number is not finite.");
+  bind_described<Point>(
+      module, "Point",
+      "One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.");
+  bind_described<Segment>(module, "Segment",
+                          "A segment between two points, shape (3,), in its own frame and any unit: a surface. Raises "
+                          "Error when a number is "
+                          "not finite.");
   bind_triangle(module);
-  bind_described<Sphere>(
-      module, "Sphere",
-      "A solid ball around a centre, shape (3,), in any unit. Its pose may not deform it. Raises Error when the "
-      "radius is not positive, or a number is not finite.");
+  bind_described<Sphere>(module, "Sphere",
+                         "A solid ball around a centre, shape (3,), in its own frame and any unit. Its pose may not "
+                         "deform it. Raises Error when the "
+                         "radius is not positive, or a number is not finite.");
   bind_described<Box>(
       module, "Box",
       "A solid box along the axes of its own frame; half extents, shape (3,), from the centre to the faces, in any "
       "unit. Raises Error when one is not positive, or a number is not finite.");
-  bind_described<Capsule>(
-      module, "Capsule",
-      "All points within the radius of a segment between two points, shape (3,), in any unit. Its pose may not "
-      "deform it. Raises Error when the radius is not positive, or a number is not finite.");
+  bind_described<Capsule>(module, "Capsule",
+                          "All points within the radius of a segment between two points, shape (3,), in its own frame "
+                          "and any unit. Its pose may not "
+                          "deform it. Raises Error when the radius is not positive, or a number is not finite.");
   bind_described<HalfSpace>(
       module, "HalfSpace",
       "All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and "
-      "without end. A point of the plane and the normal have the shape (3,), in any unit. Its pose "
+      "without end. A point of the plane and the normal have the shape (3,), in its own frame and any unit. Its pose "
       "may not deform it. Raises Error when a number is not finite, or the normal is 0.");
   bind_described<Cylinder>(
       module, "Cylinder",

@@ -18,6 +18,8 @@ MAY_BE_WRONG = re.compile(r"ArrayLike|PoseLike|PosesLike|ShapesLike|ObjectsLike|
 LENGTHS = {"distance", "max_distance", "limit", "clearance", "gap", "radius", "radii", "edge", "stop_before", "excess", "margin", "margins", "concavity",
            "nearest", "farthest", "half_height", "half_extents", "half_axes", "spacing", "translation", "motion", "motions", "separation"}
 HAVE_LENGTHS = re.compile(r"Distance|Penetration|DepthBracket|OverlapVolume|Manifold|SurfacePoint|ShapeHit|RayHit")
+# A frame, or what tells it: another question, or that something is where its pose puts it.
+FRAME = re.compile(r"\bworld\b|\bframe\b|\bposed\b|\b[Ll]ike \w|\b[Aa]s \w|\b\w+_each takes|\bof many")
 # Whose method it is.
 SOURCES = {
     "distance": "Gilbert", "penetration": "van den Bergen", "overlap_volume": "Edelsbrunner", "contacts": "Möller", "manifolds": "Canny",
@@ -76,6 +78,8 @@ def test_a_docstring_says_what_has_to_be_known(name):
         assert re.search(r"[Rr]aises Error", text), f"it does not say what it raises: {text}"
     if any("ArrayLike" in kind for kind in given.values()):
         assert re.search(r"shapes? \(|\(N,|three numbers", text), f"it does not say which shapes its arrays have: {text}"
+    if any(re.search(r"ArrayLike|Poses?Like", kind) for kind in given.values()):
+        assert FRAME.search(with_its_class(name)), f"it does not say in which frame its arguments are: {text}"
     if LENGTHS & set(given) or (not entry["class"] and HAVE_LENGTHS.search(answered(entry))):
         assert re.search(r"\bunits?\b|metres", with_its_class(name)), f"it does not say in which unit lengths are: {text}"
 

@@ -239,7 +239,7 @@ class Shape:
 
 class Point(Shape):
     """
-    One point, shape (3,), in any unit: a surface. Raises Error when a number is not finite.
+    One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.
     """
 
     def __init__(self, position: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
@@ -255,7 +255,7 @@ class Point(Shape):
 
 class Segment(Shape):
     """
-    A segment between two points, shape (3,), in any unit: a surface. Raises Error when a number is not finite.
+    A segment between two points, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.
     """
 
     def __init__(self, start: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike) -> None: ...
@@ -274,7 +274,7 @@ class Segment(Shape):
 
 class Triangle(Shape):
     """
-    A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), in any unit. Raises Error when a number is not finite.
+    A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), in its own frame and any unit. Raises Error when a number is not finite.
     """
 
     def __init__(self, vertices: numpy.typing.ArrayLike) -> None: ...
@@ -290,7 +290,7 @@ class Triangle(Shape):
 
 class Sphere(Shape):
     """
-    A solid ball around a centre, shape (3,), in any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
+    A solid ball around a centre, shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
     """
 
     def __init__(self, radius: float, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
@@ -328,7 +328,7 @@ class Box(Shape):
 
 class Capsule(Shape):
     """
-    All points within the radius of a segment between two points, shape (3,), in any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
+    All points within the radius of a segment between two points, shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
     """
 
     def __init__(self, start: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike, radius: float) -> None: ...
@@ -350,7 +350,7 @@ class Capsule(Shape):
 
 class HalfSpace(Shape):
     """
-    All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and without end. A point of the plane and the normal have the shape (3,), in any unit. Its pose may not deform it. Raises Error when a number is not finite, or the normal is 0.
+    All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and without end. A point of the plane and the normal have the shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when a number is not finite, or the normal is 0.
     """
 
     def __init__(self, point: numpy.typing.ArrayLike, normal: numpy.typing.ArrayLike) -> None: ...
@@ -423,7 +423,7 @@ class Ellipsoid(Shape):
 
 class ConvexHull(Shape):
     """
-    The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. Raises Error when there is no point, or one is not finite.
+    The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. Raises Error when there is no point, or one is not finite.
     """
 
     def __init__(self, points: numpy.typing.ArrayLike) -> None: ...
@@ -466,7 +466,7 @@ class Rounded(Shape):
 
 class HeightField(Shape):
     """
-    A surface above a grid in the x-y plane: the vertex of row j and column i is (i * spacing[0], j * spacing[1], heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a number is not finite, or a spacing is not positive.
+    A surface above a grid in the x-y plane of its own frame: the vertex of row j and column i is (i * spacing[0], j * spacing[1], heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a number is not finite, or a spacing is not positive.
     """
 
     def __init__(self, heights: numpy.typing.ArrayLike, spacing: numpy.typing.ArrayLike = (1.0, 1.0)) -> None: ...
@@ -1238,7 +1238,7 @@ class MoverOptions:
     """
     How a character moves (move_character). Lengths are in the unit of the coordinates.
 
-    up: a vector, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
+    up: a vector in the world, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
     steepest ground that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
     is looked for. max_slides: how often the way may bend in one step. Options out of range are told by move_character, which
     raises Error.
@@ -2142,7 +2142,7 @@ def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: fl
 
 def vertex_face_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1, in any unit; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40 (the cubic: X. Provot, "Collision and self-collision handling in cloth model dedicated to design garments", 1997). Raises Error for other shapes, and when a number is not finite.
+    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40 (the cubic: X. Provot, "Collision and self-collision handling in cloth model dedicated to design garments", 1997). Raises Error for other shapes, and when a number is not finite.
     """
 
 def edge_edge_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
