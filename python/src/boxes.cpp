@@ -60,12 +60,14 @@ void bind_boxes(nb::module_& module) {
       nb::arg("boxes"), nb::kw_only(), nb::arg("method") = "auto", nb::arg("threads") = all_threads,
       "Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. "
       "Pairs of "
-      "indices, shape (K, 2), ascending. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises "
+      "indices, shape (K, 2), ascending. In the world and any unit. All methods ('auto', 'brute-force', "
+      "'sort-and-sweep' …) find the same. Raises "
       "Error "
       "naming a box of which a side is no number.");
   nb::class_<HeldBoxes>(module, "BroadPhase", R"(Boxes that move, and the pairs of them that overlap; touching counts.
 
-Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are removed. One thread uses it at a time.)")
+Boxes have the shape (N, 2, 3), in the world and any unit, and numbers that stay theirs until they are removed. One thread
+uses it at a time. Raises Error for a method that there is not.)")
       .def(
           "__init__",
           [](HeldBoxes* place, const std::string& method, int threads) {
@@ -79,14 +81,18 @@ Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are remo
             return nb::borrow<Indices>(
                 array_over<Index>(held.with([&](BroadPhase& phase) { return phase.add(given); }), {}));
           },
-          nb::arg("boxes"), "The numbers given to the boxes, in their order.")
+          nb::arg("boxes"),
+          "The numbers given to the boxes, shape (N, 2, 3), in their order. Raises Error naming a box of "
+          "which a side is no number.")
       .def(
           "remove",
           [](const HeldBoxes& held, const ArrayLike& numbers) {
             const std::vector<Index> given = indices_of(numbers, 1, "numbers");
             held.with([&](BroadPhase& phase) { phase.remove(given); });
           },
-          nb::arg("numbers"), "Raises Error naming a number that is in use no more.")
+          nb::arg("numbers"),
+          "Removes boxes by their numbers, shape (N,). Raises Error naming a number that is in use no "
+          "more.")
       .def(
           "move",
           [](const HeldBoxes& held, const ArrayLike& numbers, const ArrayLike& boxes) {
@@ -94,7 +100,9 @@ Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are remo
             const std::vector<Aabb> places = boxes_of(boxes, "boxes");
             held.with([&](BroadPhase& phase) { phase.move(given, std::span<const Aabb>(places)); });
           },
-          nb::arg("numbers"), nb::arg("boxes"), "Gives box numbers[i] the place boxes[i].")
+          nb::arg("numbers"), nb::arg("boxes"),
+          "Gives box numbers[i] the place boxes[i], shapes (N,) and (N, 2, 3). Raises Error "
+          "like add and remove.")
       .def(
           "update",
           [](const HeldBoxes& held) {

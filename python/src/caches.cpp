@@ -32,7 +32,9 @@ void bind_caches(nb::module_& module) {
   nb::class_<HeldCache>(
       module, "DistanceCache",
       "What is kept of one question of distance for the next about the same two meshes, which have moved "
-      "little in between. It changes no bit of any answer. It belongs to the first two meshes asked about.")
+      "little in between. It changes no bit of any answer. It belongs to the first two meshes asked about. "
+      "Lengths are in the unit of the coordinates (what holds for a while: J. Basch, J. Erickson, L. Guibas, J. "
+      "Hershberger, L. Zhang, \"Kinetic collision detection between two simple polygons\", 1999).")
       .def("__init__", [](HeldCache* place) { new (place) HeldCache(); })
       .def(
           "distance",
@@ -44,7 +46,9 @@ void bind_caches(nb::module_& module) {
           },
           nb::arg("a"), nb::arg("b"), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(), nb::kw_only(),
           nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
-          "What distance answers, to the last bit. Raises Error like it, and for another mesh than the first time.")
+          "What distance answers, to the last bit, in the unit of the coordinates. Raises Error like it, and for "
+          "another mesh "
+          "than the first time.")
       .def(
           "clear", [](const HeldCache& held) { held.with([](DistanceCache& cache) { cache.clear(); }); },
           "Forgets everything, also which meshes it was used for.")

@@ -14,9 +14,10 @@ void bind_mover_options(nb::module_& module) {
   nb::class_<MoverOptions>(module, "MoverOptions",
                            R"(How a character moves (move_character). Lengths are in the unit of the coordinates.
 
-up: a vector of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the steepest ground
-that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
-is looked for. max_slides: how often the way may bend in one step.)")
+up: a vector in the world, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
+steepest ground that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
+is looked for. max_slides: how often the way may bend in one step. Options out of range are told by move_character, which
+raises Error.)")
       .def(
           "__init__",
           [](MoverOptions* place, const ArrayLike& up, double skin, double max_slope_degrees, double step_height,
@@ -45,11 +46,10 @@ is looked for. max_slides: how often the way may bend in one step.)")
         return array_of(velocity_along(vector_of(velocity, "velocity"), vectors_of(normals, "normals")));
       },
       nb::arg("velocity"), nb::arg("normals"),
-      "The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, "
-      "3), "
-      "of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a "
-      "number "
-      "that is not finite.");
+      "The vector nearest to `velocity`, shape (3,), in its unit and frame, that goes into none of the planes with "
+      "these "
+      "normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character. "
+      "Raises Error for a number that is not finite.");
 }
 
 }  // namespace toccata::python

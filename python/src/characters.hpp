@@ -58,7 +58,8 @@ class CharacterQuestions {
 
   void bind_state() {
     nb::class_<State>(module_, name("MoverState").c_str(),
-                      "Where a character is: all that is known of it from one step to the next.")
+                      "Where a character is: all that is known of it from one step to the next. Its pose is in the "
+                      "world. Raises Error for what is no pose.")
         .def(
             "__init__",
             [](State* place, const PoseLike& pose, const std::optional<Hit>& ground) {
@@ -126,9 +127,10 @@ class CharacterQuestions {
         },
         nb::arg("shape"), nb::arg("start"), nb::arg("motion"), nb::arg("options") = MoverOptions{}, nb::kw_only(),
         nb::arg("only") = nb::none(), nb::arg("moved") = nb::none(), nb::sig(signature_.c_str()),
-        "One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects "
-        "let "
-        "it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part "
+        "One step of a character: a convex shape goes from a state by `motion`, shape (3,) in the world and the unit "
+        "of "
+        "the coordinates, as far as these objects let it, and slides along what it meets; nothing tunnels, which is "
+        "proved. On ground a motion that has no part "
         "along "
         "`up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs "
         "(object, "

@@ -53,36 +53,39 @@ void bind_contacts(nb::module_& module) {
   bind("contacts", R"(All pairs of triangles, or of other elements, that have a point in common; exact and in order.
 
 A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
-shape inside a solid mesh that does not touch its surface has none: ask relation. Raises Error like overlap.)",
+shape inside a solid mesh that does not touch its surface has none: ask relation. Two triangles by T. Möller, "A fast
+triangle-triangle intersection test", 1997, in exact signs. Shapes are where their poses put them in the world, in any unit.
+Raises Error like overlap.)",
        [](const Model& a, const Model& b, const PairQuery& query) { return contacts(a, b, query); });
-  bind("contacts_with_points", R"(The same, with the points in which the triangles meet.
+  bind("contacts_with_points", R"(contacts, with the points in which the triangles meet.
 
 The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
-the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
-there are none: ask manifold.)",
+the triangles have in common, in the world and the unit of the coordinates, every number the nearest double; the others are
+0. Where a shape is no mesh there are none: ask manifold. Raises Error like overlap.)",
        [](const Model& a, const Model& b, const PairQuery& query) {
          return with_points(contacts(a, b, query), a, b, query);
        });
 }
 
 void bind_contacts_of_many(nb::module_& module) {
-  def_pair_questions(module, "contacts_each",
-                     "contacts of many, on all cores: one structured array of all, in order, with the fields of "
-                     "contacts and before them "
-                     "query, which says of which question a row is.",
-                     [](const PairsAsked& pairs, int threads) {
-                       return structured(numbered<OfQuery>(asked_of_pairs(
-                           pairs, threads, [](const Batch<PairQuery>& batch, const BatchOptions& options) {
-                             return contacts_each(batch, options);
-                           })));
-                     });
+  def_pair_questions(
+      module, "contacts_each",
+      "contacts of many, in shapes and unit as overlap_each takes them, on all cores: one structured array of "
+      "all, in order, with the fields of contacts and before them query, which says of which question a "
+      "row is. Raises Error like overlap_each.",
+      [](const PairsAsked& pairs, int threads) {
+        return structured(numbered<OfQuery>(asked_of_pairs(
+            pairs, threads,
+            [](const Batch<PairQuery>& batch, const BatchOptions& options) { return contacts_each(batch, options); })));
+      });
   def_pair_question(module, "contact_regions",
                     R"(The places at which two meshes meet, the deepest first: a structured array.
 
 One region is one connected part that two solids have in common, or one curve or area in which surfaces meet. The fields
 are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, area, normal (from A
-to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point). Only the counts, closed and the
-bounds of the depth are exact. Raises Error like overlap, and for what is no mesh or height field.)",
+to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and the unit of
+the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for what is
+no mesh or height field.)",
                     [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
                        Solid solid_a, Solid solid_b) {
                       const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
@@ -92,8 +95,9 @@ bounds of the depth are exact. Raises Error like overlap, and for what is no mes
                     });
   def_pair_questions(
       module, "contact_regions_each",
-      "contact_regions of many, on all cores: one structured array of all, in order, whose field query says of which "
-      "question a row is.",
+      "contact_regions of many, in shapes as overlap_each takes them, on all cores: one structured array of all, in "
+      "order, whose field query says of which question a row is; in the unit of the coordinates. Raises Error like "
+      "contact_regions, naming the query.",
       [](const PairsAsked& pairs, int threads) {
         const auto found =
             asked_of_pairs(pairs, threads, [](const Batch<PairQuery>& batch, const BatchOptions& options) {
@@ -114,14 +118,18 @@ void bind_self_contacts(nb::module_& module) {
       },
       nb::arg("mesh"), nb::arg("pose") = nb::none(),
       "Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A "
-      "structured array as of contacts, with triangle_a the lesser. Exact. Raises Error for what is no mesh.");
+      "structured array as of contacts, with triangle_a the lesser. Exact, in any unit. Raises Error for what is no "
+      "mesh, "
+      "and for a pose that is not finite.");
   module.def(
       "self_overlap",
       [](const AnyShape& mesh, const PoseLike& pose) {
         const Pose placed = pose_of(pose, "pose");
         return asked_about(mesh.model, [&](const Model& model) { return self_overlap(model, placed); });
       },
-      nb::arg("mesh"), nb::arg("pose") = nb::none(), "Whether a mesh intersects itself. Exact.");
+      nb::arg("mesh"), nb::arg("pose") = nb::none(),
+      "Whether a mesh intersects itself. Exact, in any unit. Raises Error like "
+      "self_contacts.");
 }
 
 nb::object positions_of(const Manifold& manifold) {
@@ -156,7 +164,8 @@ void bind_manifold(nb::module_& module) {
       module, "manifold",
       R"(Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
 
-Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.)",
+Empty exactly when they are apart. In the world and the unit of the coordinates. Raises Error like overlap, and where it is
+not defined, as of meshes: there is one for each contact.)",
       [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
          Solid solid_b) {
         const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);

@@ -113,7 +113,7 @@ void bind_ways(nb::class_<HeldDeforming>& bound) {
             held.with([&](DeformingMesh& mesh) { mesh.advance(std::move(vertices), threads); });
           },
           nb::arg("end"), nb::kw_only(), nb::arg("threads") = own_thread,
-          "The next step: what was the end is the start. Raises Error like move_to.")
+          "The next step to an end of the shape (N, 3): what was the end is the start. Raises Error like move_to.")
       .def_prop_ro(
           "start",
           [](const HeldDeforming& held) {
@@ -226,7 +226,7 @@ void bind_deforming(nb::module_& module) {
       module, "DeformingMesh",
       R"(A mesh over one step, in which every vertex moves straight on: continuous collision of meshes that deform.
 
-At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end` is where it starts. Questions are asked
+At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end`, shape (N, 3), is where it starts. Questions are asked
 of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting
 is contact, exactly, or to be at most `separation` apart, in the unit of the coordinates. `starts_free` promises that nothing
 meets at the start, which saves time. Answers do not depend on threads. Raises Error for another number of ends than of

@@ -38,8 +38,9 @@ void bind_brackets(nb::module_& module) {
       nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
       R"(penetration, as narrow as asked: upper <= (1 + precision) * lower, or the bracket tells why not.
 
-time_limit: seconds, after which nothing new is begun; the answer depends on the machine then, as nothing else does. Raises
-Error like penetration, and for a precision or a limit that is not above 0.)");
+In the unit of the coordinates; direction and points are in the world. time_limit: seconds, after which nothing new is begun;
+the answer depends on the machine then, as nothing else does. Raises Error like penetration, and for a precision or a limit
+that is not above 0.)");
   module.def(
       "depth_bracket_each",
       [](const ShapesLike& a, const ShapesLike& b, const PosesLike& poses_a, const PosesLike& poses_b, double precision,
@@ -54,9 +55,10 @@ Error like penetration, and for a precision or a limit that is not above 0.)");
       nb::arg("a"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(), nb::kw_only(),
       nb::arg("precision") = DepthOptions{}.precision, nb::arg("time_limit") = unlimited,
       nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads,
-      "depth_bracket of many, on all cores: a structured array with the members of DepthBracket. The time limit is "
-      "that "
-      "of each.");
+      "depth_bracket of many, in shapes as overlap_each takes them, on all cores: a structured array with the members "
+      "of "
+      "DepthBracket, in the unit of the coordinates. The time limit is that of each. Raises Error like depth_bracket, "
+      "naming the query.");
 }
 
 void bind_volume(nb::module_& module) {
@@ -64,8 +66,9 @@ void bind_volume(nb::module_& module) {
   def_pair_question(module, "overlap_volume",
                     R"(How much volume two solids have in common, as a bracket that holds the exact number.
 
-Of closed meshes, boxes and hulls it is as narrow as rounding; of what is round some thousandths wide. Raises Error like
-overlap, and where one is a surface, and for two half-spaces.)",
+In the third power of the unit of the coordinates. Of closed meshes, boxes and hulls it is as narrow as rounding; of what is
+round some thousandths wide. Signs that are 0 are decided by H. Edelsbrunner, E. P. Mücke, "Simulation of simplicity", 1990.
+Raises Error like overlap, and where one is a surface, and for two half-spaces.)",
                     [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
                        Solid solid_a, Solid solid_b) {
                       const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
@@ -112,8 +115,10 @@ void bind_manifolds(nb::module_& module) {
       module, "manifolds",
       R"(Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
 
-What slides over a surface does not catch on its inner edges. Empty exactly when they are apart, but for two half-spaces and
-for what lies wholly within where no penetration is defined. Raises Error like overlap.)",
+What slides over a surface does not catch on its inner edges: normals are of the Voronoi regions of the mesh (M. Lin,
+J. Canny, "A fast algorithm for incremental distance calculation", 1991). In the world and the unit of the coordinates. Empty
+exactly when they are apart, but for two half-spaces and for what lies wholly within where no penetration is defined. Raises
+Error like overlap.)",
       [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
          Solid solid_b) {
         const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
@@ -134,20 +139,21 @@ for what lies wholly within where no penetration is defined. Raises Error like o
           "toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, threads: int "
           "= 0) -> tuple[numpy.typing.NDArray[numpy.int32], toccata._typing.Floats, toccata._typing.Floats, "
           "toccata._typing.Floats]"),
-      "manifold of many, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which "
-      "the "
-      "first `count` of each are points and the others 0.");
+      "manifold of many, in shapes as overlap_each takes them, on all cores: counts (N,), normals (N, 3), positions "
+      "(N, 4, 3) and depths (N, 4), of which the first `count` of each are points and the others 0; in the unit of the "
+      "coordinates. Raises Error like manifold, naming the query.");
 }
 
 void bind_first_contact(nb::module_& module) {
-  def_pair_question(module, "first_contact",
-                    "The least of contacts, without the others; None where there is none. Raises Error like overlap.",
-                    [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
-                       Solid solid_a, Solid solid_b) {
-                      const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
-                      return asked_about(a.model, b.model,
-                                         [&](const Model& x, const Model& y) { return first_contact(x, y, query); });
-                    });
+  def_pair_question(
+      module, "first_contact",
+      "The least of contacts, without the others; None where there is none. In any unit. Raises Error like overlap.",
+      [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a,
+         Solid solid_b) {
+        const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);
+        return asked_about(a.model, b.model,
+                           [&](const Model& x, const Model& y) { return first_contact(x, y, query); });
+      });
 }
 
 void bind_distances_within(nb::module_& module) {
@@ -164,7 +170,9 @@ void bind_distances_within(nb::module_& module) {
       nb::arg("a"), nb::arg("b"), nb::arg("limit"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(),
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
       nb::arg("threads") = all_threads,
-      "distance_within of many, on all cores: a structured array with the members of Distance, and found.");
+      "distance_within of many, in shapes as overlap_each takes them, on all cores: a structured array with the "
+      "members "
+      "of Distance, and found; in the unit of the coordinates. Raises Error like distance_within, naming the query.");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void bind_faults(nb::module_& module) {
       },
       nb::arg("mesh"),
       "Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it "
-      "says.");
+      "says. Raises Error for what is no Mesh.");
 }
 
 void bind_closing(nb::module_& module) {
@@ -103,7 +103,7 @@ void bind_closing(nb::module_& module) {
       "done: "
       "vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. "
       "What "
-      "is no boundary stays as it is. Raises Error when the gap is not positive and finite.");
+      "is no boundary stays as it is. Raises Error for what is no Mesh, and when the gap is not positive and finite.");
   module.def(
       "closing_gap",
       [](const AnyShape& mesh) {
@@ -111,9 +111,9 @@ void bind_closing(nb::module_& module) {
         return without_lock([&, kept = mesh.model] { return closing_gap(triangles); });
       },
       nb::arg("mesh"),
-      "A gap by which close_mesh closes the mesh, at most twice the least of some that are tried; 0 of a closed one, "
-      "None "
-      "where none does.");
+      "A gap by which close_mesh closes the mesh, in the unit of the coordinates, at most twice the least of some that "
+      "are "
+      "tried; 0 of a closed one, None where none does. Raises Error for what is no Mesh.");
   module.def(
       "mesh_parts",
       [](const AnyShape& mesh) {
@@ -124,7 +124,7 @@ void bind_closing(nb::module_& module) {
       nb::arg("mesh"),
       "To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected "
       "through "
-      "vertices, of equal coordinates taken as one.");
+      "vertices, of equal coordinates taken as one. Raises Error for what is no Mesh.");
 }
 
 void bind_hulls(nb::module_& module) {
@@ -142,7 +142,9 @@ void bind_hulls(nb::module_& module) {
       },
       nb::arg("half_spaces"),
       nb::sig("def hull_of_half_spaces(half_spaces: collections.abc.Sequence[HalfSpace]) -> ConvexHull"),
-      "The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles. "
+      "The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, "
+      "in "
+      "the unit of the coordinates. "
       "Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has "
       "no "
       "end.");
@@ -161,8 +163,9 @@ void bind_hulls(nb::module_& module) {
               "float = 0.1, farthest: float = 1000.0) -> ConvexHull"),
       "The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in "
       "degrees; "
-      "aspect, its width over its height; nearest and farthest, in the unit of the coordinates. What it overlaps is in "
-      "view. Raises Error that names a number out of range.");
+      "aspect, its width over its height; nearest and farthest, in the unit of the coordinates. eye, direction and up "
+      "have the shape (3,), in the world. "
+      "What it overlaps is in view. Raises Error that names a number out of range.");
 }
 
 void bind_scene_files(nb::module_& module) {

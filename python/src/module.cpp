@@ -15,7 +15,9 @@ NB_MODULE(_core, module) {
   const nb::object own_name = module.attr("__name__");
   module.attr("__name__") = "toccata";
   module.attr("__version__") = toccata::version;
-  nb::exception<toccata::Error>(module, "Error", PyExc_ValueError);
+  nb::exception<toccata::Error>(module, "Error", PyExc_ValueError).attr("__doc__") =
+      "What was asked wrongly, and what to do: the message of the C++ library, which names the argument, file or "
+      "element.";
   nb::enum_<toccata::Status>(module, "Status", nb::is_arithmetic(), "How far an answer can be trusted.")
       .value("exact", toccata::Status::exact, "It is the truth for the given numbers.")
       .value("undecided", toccata::Status::undecided,

@@ -130,7 +130,8 @@ void bind_motion(nb::module_& module) {
 
 At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
 counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not finite.)")
+rests. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+finite.)")
       .def(
           "__init__",
           [](HeldMotion* place, const PoseLike& start, const ArrayLike& translation, double turns,
@@ -146,7 +147,10 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           [](const PoseLike& start, const ArrayLike& translation) -> HeldMotion {
             return RigidMotion::straight(pose_of(start, "start"), vector_of(translation, "translation"));
           },
-          nb::arg("start").none(), nb::arg("translation"), "Straight on, without a turn.")
+          nb::arg("start").none(), nb::arg("translation"),
+          "Straight on from a pose by a translation, shape (3,), in the world and the unit of the coordinates, without "
+          "a turn. "
+          "Raises Error when a number is not finite.")
       .def_static(
           "between",
           [](const PoseLike& start, const PoseLike& end, const ArrayLike& centre) -> HeldMotion {
@@ -154,8 +158,9 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           },
           nb::arg("start").none(), nb::arg("end").none(), nb::arg("centre") = origin,
           "From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape "
-          "turns "
-          "about it the shorter way at an even speed. Raises Error when no turn leads from one to the other.")
+          "turns about it the shorter way at an even speed. The centre has the shape (3,), in the unit of the "
+          "coordinates. "
+          "Raises Error when no turn leads from one to the other.")
       .def_static(
           "screw",
           [](const PoseLike& start, const PoseLike& end) -> HeldMotion {
@@ -164,7 +169,9 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           nb::arg("start").none(), nb::arg("end").none(),
           "From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.")
       .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin,
-                  "Through poses at times that ascend from 0 to 1, as between each and the next.")
+                  "Through poses at times, shape (N,), that ascend from 0 to 1, as between each and the next; the "
+                  "centre in the "
+                  "unit of the coordinates. Raises Error like between, and for other times.")
       .def_static(
           "of", &by_function, nb::arg("pose_at"), nb::kw_only(), nb::arg("speed"), nb::arg("turns") = 0.0,
           nb::arg("centre") = origin, nb::arg("rounding") = 0.0,
@@ -172,7 +179,8 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
                   "turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) "
                   "-> RigidMotion"),
           "Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: "
-          "the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast "
+          "the speed of the point `centre`, shape (3,), of the shape's own frame, in the unit of the coordinates, and "
+          "how fast "
           "it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all "
           "such motions. The function is asked from any thread, with the interpreter's lock, and has to return the "
           "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
@@ -185,7 +193,9 @@ rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when 
           [](const HeldMotion& motion, const PoseLike& fixed) {
             return HeldMotion(motion.carrying(pose_of(fixed, "fixed")), motion.function);
           },
-          nb::arg("fixed"), "How something moves that is fixed to the shape: placed by a pose in its frame.")
+          nb::arg("fixed"),
+          "How something moves that is fixed to the shape: placed by a pose in its frame. Raises Error for what is no "
+          "pose.")
       .def_prop_ro("pieces", &pieces_of, "(begin, end, start, (centre, axis, turns, translation)) of each piece.",
                    nb::sig("def pieces(self) -> list[tuple[float, float, Pose, tuple[tuple[float, float, float], "
                            "tuple[float, float, float], float, tuple[float, float, float]]]]"))
@@ -209,7 +219,9 @@ void bind_sweep(nb::module_& module) {
       R"(When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
 
 Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
-coordinates; negative: when they are so deep in each other. Raises Error like cast_shape.)");
+coordinates; negative: when they are so deep in each other. By conservative advancement (B. Mirtich, "Impulse-based dynamic
+simulation of rigid body systems", 1996) with bounds of each box of a tree (M. Tang, Y. J. Kim, D. Manocha, "C2A: controlled
+conservative advancement", 2009). Raises Error like cast_shape.)");
   module.def(
       "sweep_each",
       [](const AnyShape& a, const nb::object& motions_a, const AnyShape& b, const MotionLike& motion_b,
@@ -237,9 +249,9 @@ coordinates; negative: when they are so deep in each other. Raises Error like ca
           "def sweep_each(a: Shape, motions_a: collections.abc.Sequence[RigidMotion], b: Shape, motion_b: "
           "toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, "
           "solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers"),
-      "sweep of many motions of A, on all cores: a structured array with the members of ShapeHit. Raises Error naming "
-      "the "
-      "motion.");
+      "sweep of many motions of A, in the unit of the coordinates, on all cores: a structured array with the members "
+      "of "
+      "ShapeHit. Raises Error naming the motion.");
   module.def(
       "swept_volume",
       [](const AnyShape& shape, const MotionLike& motion, double excess, std::size_t max_parts, Solid solid) {
@@ -255,7 +267,8 @@ coordinates; negative: when they are so deep in each other. Raises Error like ca
           "def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: float = 0.0, max_parts: int = "
           "1024, solid: Solid = Solid.automatic) -> tuple[Shape, float]"),
       "A shape, in the world, that contains all that a body passes, and how far outside of it it reaches at most; both "
-      "proved. excess: how far it may reach, 0: a 32nd of the body's diagonal.");
+      "proved. excess: how far it may reach, in the unit of the coordinates, 0: a 32nd of the body's diagonal. Raises "
+      "Error for a negative excess, and for what has no end.");
 }
 
 /// Of an array (N, 4, 3) twice: where four points start and end.
@@ -292,8 +305,12 @@ void bind_impacts(nb::module_& module) {
       nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
       "When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and "
       "the "
-      "three corners, at the times 0 and 1; they move straight on. A structured array of hit, lower and upper, two "
-      "neighbouring multiples of 2**-40.");
+      "three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of "
+      "hit, lower and "
+      "upper, "
+      "two neighbouring multiples of 2**-40 (the cubic: X. Provot, \"Collision and self-collision handling in cloth "
+      "model "
+      "dedicated to design garments\", 1997). Raises Error for other shapes, and when a number is not finite.");
   module.def(
       "edge_edge_impacts",
       [](const ArrayLike& starts, const ArrayLike& ends, int threads) {
@@ -303,7 +320,8 @@ void bind_impacts(nb::module_& module) {
         return structured(without_lock([&] { return time_of_impact_each(pairs, threads); }));
       },
       nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
-      "The same of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other.");
+      "vertex_face_impacts of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other, in any "
+      "unit. Raises Error like it.");
 }
 
 }  // namespace

@@ -118,8 +118,9 @@ class ObjectQuestions {
                         [&](const Queries& queries, const auto& filter) { return queries.cast_ray(ray, filter); });
         },
         nb::arg("origin"), nb::arg("motion"), nb::kw_only(), nb::arg("only") = nb::none(),
-        "The first of all that the ray from origin to origin + motion meets, both of the shape (3,), or None, which is "
-        "proved. As cast_ray of one shape.");
+        "The first of all that the ray from origin to origin + motion meets, both of the shape (3,) in the world, or "
+        "None, "
+        "which is proved. As cast_ray of one shape, in the unit of the coordinates. Raises Error like it.");
     bound_.def(
         "cast_ray_through",
         [](const Bound& bound, const ArrayLike& origin, const ArrayLike& motion, const nb::object& only) {
@@ -129,8 +130,10 @@ class ObjectQuestions {
           }));
         },
         nb::arg("origin"), nb::arg("motion"), nb::kw_only(), nb::arg("only") = nb::none(),
-        "Where the ray meets each of them first, in order: a structured array with the members of what cast_ray "
-        "returns.");
+        "Where the ray from origin to origin + motion, both of the shape (3,) in the world, meets each of them first, "
+        "in "
+        "order: a structured array with the members of what cast_ray returns, in the unit of the coordinates. Raises "
+        "Error like cast_ray.");
     bound_.def(
         "cast_ray_each",
         [](const Bound& bound, const ArrayLike& origins, const ArrayLike& motions, const nb::object& only,
@@ -144,7 +147,8 @@ class ObjectQuestions {
         nb::arg("origins"), nb::arg("motions"), nb::kw_only(), nb::arg("only") = nb::none(),
         nb::arg("threads") = all_threads,
         "cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray "
-        "returns, and found.");
+        "returns, "
+        "and found; in the unit of the coordinates. Raises Error like cast_ray, naming the ray.");
   }
 
   void bind_moving() {
@@ -158,8 +162,9 @@ class ObjectQuestions {
         },
         nb::arg("shape"), nb::arg("motion"), nb::arg("pose") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(),
-        "The first of all that the shape, which is A, meets on its way, or None, which is proved. As cast_shape of "
-        "two.");
+        "The first of all that the shape, which is A, meets on its way from its pose by motion, shape (3,) in the "
+        "world, or "
+        "None, which is proved. As cast_shape of two, in the unit of the coordinates. Raises Error like it.");
     bound_.def(
         "cast_shape_each",
         [](const Bound& bound, const ShapesLike& shapes, const ArrayLike& motions, const PosesLike& poses, Solid solid,
@@ -179,8 +184,10 @@ class ObjectQuestions {
         },
         nb::arg("shapes"), nb::arg("motions"), nb::arg("poses") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
-        "cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N: a structured array with the "
-        "members of what cast_shape returns, and found.");
+        "cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N, on all cores: a structured "
+        "array "
+        "with the members of what cast_shape returns, and found; in the unit of the coordinates. Raises Error like "
+        "cast_shape, naming the query.");
   }
 
   void bind_lists() {
@@ -193,7 +200,9 @@ class ObjectQuestions {
           }));
         },
         nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("solid") = Solid::automatic,
-        nb::arg("only") = nb::none(), "Which of them have a point in common with the shape, ascending. Exact.");
+        nb::arg("only") = nb::none(),
+        "Which of them have a point in common with the shape at its pose in the world, ascending. Exact, in "
+        "any unit. Raises Error like overlap.");
     bound_.def(
         "relations",
         [](const Bound& bound, const AnyShape& shape, const PoseLike& pose, Solid solid, const nb::object& only) {
@@ -204,7 +213,8 @@ class ObjectQuestions {
         },
         nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("solid") = Solid::automatic,
         nb::arg("only") = nb::none(),
-        "The same, and how: the shape is A. A structured array with the members of Relation and which it is.");
+        "overlapping, and how: the shape is A. A structured array with the members of Relation and which it is, in any "
+        "unit. Raises Error like overlap.");
     bound_.def(
         "within",
         [](const Bound& bound, const AnyShape& shape, double distance, const PoseLike& pose, Solid solid,
@@ -216,7 +226,9 @@ class ObjectQuestions {
         },
         nb::arg("shape"), nb::arg("distance"), nb::arg("pose") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(),
-        "Which of them are at most so far from the shape, ascending. Decided exactly.");
+        "Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. "
+        "Decided "
+        "exactly. Raises Error like within_distance.");
     bound_.def(
         "overlapping_each",
         [](const Bound& bound, const ShapesLike& shapes, const PosesLike& poses, Solid solid, const nb::object& only,
@@ -229,8 +241,9 @@ class ObjectQuestions {
         },
         nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::kw_only(), nb::arg("solid") = Solid::automatic,
         nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
-        "overlapping of one shape or N, at one pose or N: one structured array of all that was found, in order, whose "
-        "field query says of which question a row is.");
+        "overlapping of one shape or N, at one pose or N, on all cores: one structured array of all that was found, in "
+        "order, whose field query says of which question a row is. In any unit. Raises Error like overlap, naming the "
+        "query.");
     bound_.def(
         "within_each",
         [](const Bound& bound, const ShapesLike& shapes, double distance, const PosesLike& poses, Solid solid,
@@ -243,7 +256,9 @@ class ObjectQuestions {
         },
         nb::arg("shapes"), nb::arg("distance"), nb::arg("poses") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
-        "within of one shape or N, at one pose or N: a structured array as that of overlapping_each.");
+        "within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array "
+        "as "
+        "that of overlapping_each. Raises Error like within_distance, naming the query.");
   }
 
   void bind_nearest() {
@@ -258,9 +273,10 @@ class ObjectQuestions {
         },
         nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited, nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(),
-        "The nearest of all to the shape, which is A, as distance tells it of two; None where none is within the "
-        "greatest "
-        "distance, which is decided exactly.");
+        "The nearest of all to the shape, which is A, as distance tells it of two, in the unit of the coordinates; "
+        "None "
+        "where none is within the greatest distance, which is decided exactly. Raises Error like distance, and for a "
+        "greatest distance that is negative.");
     bound_.def(
         "nearest_each",
         [](const Bound& bound, const ShapesLike& shapes, const PosesLike& poses, double max_distance, Solid solid,
@@ -273,8 +289,9 @@ class ObjectQuestions {
         },
         nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::arg("max_distance") = unlimited, nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
-        "nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and "
-        "found.");
+        "nearest of one shape or N, at one pose or N, on all cores: a structured array with the members of what "
+        "nearest "
+        "returns, and found; in the unit of the coordinates. Raises Error like nearest, naming the query.");
   }
 
   nb::class_<Bound>& bound_;

@@ -67,7 +67,8 @@ void bind_pages(nb::module_& module) {
       R"(One self-contained HTML page that shows posed shapes and what check_all finds of them.
 
 It opens from disk in any browser with WebGL 2. up: the axis that points up, 'y' or 'z'. faces: which faces meet, and in what
-curves; penetration: how deep. Raises Error like check_all.)");
+curves; penetration: how deep; clearance: how far apart, in the unit of the coordinates. Raises Error like check_all, and for
+another axis.)");
   module.def(
       "write_view_page",
       [](const std::string& page, const std::string& path) { without_lock([&] { write_view_page(page, path); }); },

@@ -105,8 +105,9 @@ void bind_casts(nb::module_& module) {
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
       R"(Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands.
 
-lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved. Raises Error like overlap, and where
-it is not defined, as of two half-spaces.)");
+lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved (conservative advancement: B. Mirtich,
+"Impulse-based dynamic simulation of rigid body systems", 1996). Lengths are in the unit of the coordinates. Raises Error like
+overlap, and where it is not defined, as of two half-spaces.)");
   module.def(
       "cast_shape_each",
       [](const AnyShape& a, const ArrayLike& motions, const AnyShape& b, const PosesLike& poses_a,
@@ -127,8 +128,9 @@ it is not defined, as of two half-spaces.)");
       nb::arg("a"), nb::arg("motions"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(),
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
       nb::arg("threads") = all_threads,
-      "cast_shape of many motions, shape (N, 3), and poses, N or one of each: a structured array with the members of "
-      "ShapeHit.");
+      "cast_shape of many motions, shape (N, 3), in the world and the unit of the coordinates, and poses, N or one of "
+      "each: a structured array with the members of ShapeHit. Raises Error naming the least query that is asked "
+      "wrongly.");
 }
 
 void bind_answers(nb::module_& module) {
@@ -156,19 +158,22 @@ void bind_pair_questions(nb::module_& module) {
       module, "overlap",
       R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
 
-Of cylinders, cones and ellipsoids a no is proved, and what is undecided counts as yes. Raises Error when a pose is not
-finite, or one that its shape may not have, and when an open mesh is asked about as a solid.)",
+Shapes are where their poses put them in the world, in any unit that both have. Of cylinders, cones and ellipsoids a no is
+proved, and what is undecided counts as yes. Raises Error when a pose is not finite, or one that its shape may not have, and
+when an open mesh is asked about as a solid.)",
       [](const Model& a, const Model& b, const PairQuery& query) { return overlap(a, b, query, kept_workspace()); });
   bind_question(
       module, "relation",
-      "How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which "
+      "How the two posed shapes lie in the world, exactly: apart, touching, overlapping or crossing, and which "
       "contains the other. Raises Error like overlap.",
       [](const Model& a, const Model& b, const PairQuery& query) { return relation(a, b, query, kept_workspace()); });
   bind_question(
       module, "distance",
       R"(How far the two posed shapes are apart, certified: an interval that contains the exact distance, and the nearest points.
 
-0 when they meet, also when one lies within a solid. In the unit of the coordinates. Raises Error like overlap.)",
+0 when they meet, also when one lies within a solid. In the unit of the coordinates; the points are in the world. Convex
+shapes by E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the distance between complex objects
+in three-dimensional space", 1988; that the interval holds is proved. Raises Error like overlap.)",
       [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query, kept_workspace()); });
   bind_question_of_length(
       module, "within_distance", "tolerance",
@@ -179,14 +184,17 @@ finite, or one that its shape may not have, and when an open mesh is asked about
       });
   bind_question_of_length(
       module, "distance_within", "limit",
-      "What distance answers where it is at most the limit, else None, which is found out without it.",
+      "What distance answers where it is at most the limit, in the unit of the coordinates, else None, which is found "
+      "out without it. Raises Error like overlap, and for a negative limit.",
       [](const Model& a, const Model& b, double limit, const PairQuery& query) {
         return distance_within(a, b, limit, query, kept_workspace());
       });
   bind_question(module, "penetration", R"(How deep two solids overlap, as an interval, and a short way to part them.
 
 Of convex shapes narrow; of meshes and compounds the bracket holds as well, and may be wide. In the unit of the
-coordinates. Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two half-spaces.)",
+coordinates; direction and points are in the world (G. van den Bergen, "Proximity queries and penetration depth computation
+on 3D game objects", 2001). Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two
+half-spaces.)",
                 [](const Model& a, const Model& b, const PairQuery& query) {
                   return penetration(a, b, query, kept_workspace());
                 });
@@ -196,33 +204,41 @@ coordinates. Raises Error like overlap, and where it is not defined: for surface
       module, "overlap_each", R"(overlap for many poses, on all cores: a bool for each.
 
 Poses are N matrices of the shape (N, 4, 4) or (N, 3, 4), N translations (N, 3), N poses of scipy or toccata, or one for
-all; a and b are one shape, or a list of N. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
-is asked wrongly.)",
+all; a and b are one shape, or a list of N. Poses are in the world, their lengths in any unit that all have. Arrays of
+doubles in C order are read as they are, others are converted first. Entry i is what overlap answers for pose i, whatever
+the number of threads. Raises Error naming the least query that is asked wrongly.)",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return overlap_each(batch, options); });
   bind_questions(
       module, "relation_each",
-      "relation for many poses, on all cores: a structured array with the members of "
-      "Relation, kind and containment as numbers of their enumerations.",
+      "relation for many poses, in shapes and unit as overlap_each takes them, on all cores: a structured array with "
+      "the "
+      "members of Relation, kind and containment as numbers of their enumerations. Raises Error like overlap_each.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return relation_each(batch, options); });
   bind_questions(
       module, "distance_each",
-      "distance for many poses, on all cores: a structured array with the members of "
-      "Distance.",
+      "distance for many poses, in shapes as overlap_each takes them, on all cores: a structured array with the "
+      "members "
+      "of Distance, in the unit of the coordinates. Raises Error like overlap_each.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return distance_each(batch, options); });
-  bind_questions_of_length(module, "within_distance_each", "tolerance",
-                           "within_distance for many poses, on all cores: a bool for each.",
-                           [](const Batch<PairQuery>& batch, double tolerance, const BatchOptions& options) {
-                             return within_distance_each(batch, tolerance, options);
-                           });
+  bind_questions_of_length(
+      module, "within_distance_each", "tolerance",
+      "within_distance for many poses, in shapes as overlap_each takes them, on all cores: a bool for each. "
+      "The tolerance is in the unit of the coordinates. Raises Error like overlap_each, and for "
+      "a negative tolerance.",
+      [](const Batch<PairQuery>& batch, double tolerance, const BatchOptions& options) {
+        return within_distance_each(batch, tolerance, options);
+      });
   bind_questions(
       module, "penetration_each",
-      "penetration for many poses, on all cores: a structured array with the members of "
-      "Penetration.",
+      "penetration for many poses, in shapes as overlap_each takes them, on all cores: a structured array with the "
+      "members of Penetration, in the unit of the coordinates. Raises Error like overlap_each, and where it is not "
+      "defined, as penetration.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return penetration_each(batch, options); });
   bind_questions(
       module, "count_contacts_each",
-      "How many triangles and faces meet, for many poses: a structured array with "
-      "triangle_pairs and face_pairs.",
+      "How many triangles and faces meet, for many poses, in shapes and unit as overlap_each takes them, on all cores: "
+      "a "
+      "structured array with triangle_pairs and face_pairs. Raises Error like overlap_each.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return count_contacts_each(batch, options); });
 }
 

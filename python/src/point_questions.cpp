@@ -43,8 +43,9 @@ void bind_nearest(nb::module_& module) {
       nb::arg("point"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
       R"(The nearest point of the surface of a posed shape, also from within.
 
-The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. Raises Error
-when a number is not finite, the greatest distance is negative, and for poses as overlap does.)");
+The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. In the unit of
+the coordinates. By the tree of a mesh, the nearest boxes first (N. Roussopoulos, S. Kelley, F. Vincent, "Nearest neighbor
+queries", 1995). Raises Error when a number is not finite, the greatest distance is negative, and for poses as overlap does.)");
   module.def(
       "nearest_points",
       [](const ArrayLike& point, std::size_t k, const AnyShape& surface, const PoseLike& pose, double max_distance) {
@@ -55,8 +56,10 @@ when a number is not finite, the greatest distance is negative, and for poses as
       },
       nb::arg("point"), nb::arg("k"), nb::arg("surface"), nb::arg("pose") = nb::none(),
       nb::arg("max_distance") = unlimited,
-      "The nearest points of the k nearest elements, the nearest first: a structured array with the members of "
-      "SurfacePoint.");
+      "The points that are nearest to one of the shape (3,) in the world, of the k nearest elements, the nearest "
+      "first: a "
+      "structured array with the members of SurfacePoint, in the unit of the coordinates. Raises Error like "
+      "nearest_point.");
   module.def(
       "nearest_point_each",
       [](const ArrayLike& points, const AnyShape& surface, const PoseLike& pose, double max_distance, int threads) {
@@ -68,7 +71,9 @@ when a number is not finite, the greatest distance is negative, and for poses as
       },
       nb::arg("points"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
       nb::kw_only(), nb::arg("threads") = all_threads,
-      "nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint.");
+      "nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint, "
+      "in "
+      "the unit of the coordinates. Raises Error like nearest_point, naming the point.");
 }
 
 void bind_sides(nb::module_& module) {
@@ -92,7 +97,7 @@ void bind_sides(nb::module_& module) {
         });
       },
       nb::arg("point"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
-      R"(How far a point is from the surface of a posed shape, negative inside.
+      R"(How far a point, shape (3,) in the world, is from the surface of a posed shape, negative inside.
 
 The side is exact of closed meshes and of shapes that are none; of an open mesh it is that of the generalised winding
 number (A. Jacobson and others, 2013). In the unit of the coordinates. Raises Error when a number is not finite, or an open
@@ -109,7 +114,7 @@ mesh is asked by SignBy.winding_number.)");
       nb::arg("points"), nb::arg("shape"), nb::arg("pose") = nb::none(), nb::arg("sign_by") = SignBy::automatic,
       nb::kw_only(), nb::arg("threads") = all_threads,
       "signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of "
-      "SignedDistance.");
+      "SignedDistance, in the unit of the coordinates. Raises Error like signed_distance, naming the point.");
   module.def(
       "locate",
       [](const ArrayLike& point, const AnyShape& solid, const PoseLike& pose) {
@@ -120,9 +125,9 @@ mesh is asked by SignBy.winding_number.)");
         return std::pair(found.side, found.winding_number);
       },
       nb::arg("point"), nb::arg("solid"), nb::arg("pose") = nb::none(),
-      "Where a point lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error "
-      "for an "
-      "open mesh.");
+      "Where a point, shape (3,) in the world, lies relative to a closed mesh, exactly, and how often the surface "
+      "winds "
+      "around it. Raises Error for an open mesh, and when a number is not finite.");
   module.def(
       "generalized_winding_number",
       [](const ArrayLike& point, const AnyShape& mesh, const PoseLike& pose, double tolerance) {
@@ -134,9 +139,10 @@ mesh is asked by SignBy.winding_number.)");
       },
       nb::arg("point"), nb::arg("mesh"), nb::arg("pose") = nb::none(),
       nb::arg("tolerance") = WindingOptions{}.tolerance,
-      "How much of the sphere of directions around a point a mesh covers: about 1 inside, 0 outside, and between where "
-      "holes "
-      "are. Off by at most the tolerance, as an interval. Raises Error for what is no mesh.");
+      "How much of the sphere of directions around a point, shape (3,) in the world, a mesh covers: about 1 inside, 0 "
+      "outside, and between where holes are. Off by at most the tolerance, a number without unit, as an interval "
+      "(A. Jacobson, L. Kavan, O. Sorkine-Hornung, \"Robust inside-outside segmentation using generalized winding "
+      "numbers\", 2013). Raises Error for what is no mesh, and when a number is not finite.");
   module.def(
       "generalized_winding_number_each",
       [](const ArrayLike& points, const AnyShape& mesh, const PoseLike& pose, double tolerance, int threads) {
@@ -148,7 +154,8 @@ mesh is asked by SignBy.winding_number.)");
       },
       nb::arg("points"), nb::arg("mesh"), nb::arg("pose") = nb::none(),
       nb::arg("tolerance") = WindingOptions{}.tolerance, nb::kw_only(), nb::arg("threads") = all_threads,
-      "The same of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber.");
+      "generalized_winding_number of many points, shape (N, 3), on all cores: a structured array with the members of "
+      "WindingNumber. Raises Error like it, naming the point.");
 }
 
 void bind_rays(nb::module_& module) {
@@ -164,8 +171,8 @@ void bind_rays(nb::module_& module) {
       R"(Where the ray from origin to origin + motion first meets the posed shape; both of the shape (3,), in the world.
 
 lower and upper are fractions of the way, from 0 to 1: a ray ends at origin + motion. No ray passes between two triangles
-that share an edge. A solid is met at once from within; Solid.none asks its surface. Raises Error when a number is not
-finite or the motion is zero.)");
+that share an edge. A solid is met at once from within; Solid.none asks its surface. Lengths are in the unit of the
+coordinates. Raises Error when a number is not finite or the motion is zero.)");
   module.def(
       "cast_ray_each",
       [](const ArrayLike& origins, const ArrayLike& motions, const AnyShape& target, const PoseLike& pose, Solid solid,
@@ -182,9 +189,8 @@ finite or the motion is zero.)");
       },
       nb::arg("origins"), nb::arg("motions"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
       nb::arg("solid") = Solid::automatic, nb::arg("threads") = all_threads,
-      "cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the "
-      "members of "
-      "RayHit.");
+      "cast_ray of many rays, origins and motions of the shape (N, 3) in the world and the unit of the coordinates, on "
+      "all cores: a structured array with the members of RayHit. Raises Error like cast_ray, naming the ray.");
 }
 
 }  // namespace

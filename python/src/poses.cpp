@@ -67,9 +67,10 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
           "rotation",
           [](const ArrayLike& axis, double degrees) { return Pose::rotation(vector_of(axis, "axis"), degrees); },
           nb::arg("axis"), nb::arg("degrees"),
-          "Turns counter-clockwise about an axis through the origin, shape (3,), of any length but 0. Quarter turns "
-          "about "
-          "coordinate axes are exact.")
+          "Turns counter-clockwise, by an angle in degrees, about an axis through the origin, shape (3,), of any "
+          "length but "
+          "0. Quarter turns about coordinate axes are exact. Raises Error when a number is not finite or the axis is "
+          "0.")
       .def_static(
           "from_quaternion",
           [](const ArrayLike& quaternion, const ArrayLike& translation) {
@@ -82,8 +83,10 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
             return Pose::rigid({q[0], q[1], q[2], q[3]}, vector_of(translation, "translation"));
           },
           nb::arg("quaternion"), nb::arg("translation") = nb::make_tuple(0.0, 0.0, 0.0),
-          "Of a quaternion in the order x, y, z, w, as scipy and ROS have it; trimesh's has w first. It need not have "
-          "length 1.")
+          "Of a quaternion, shape (4,), in the order x, y, z, w, as scipy and ROS have it; trimesh's has w first. It "
+          "need "
+          "not have length 1. The translation has the shape (3,), in the unit of the coordinates. Raises Error when a "
+          "number is not finite or all four are 0.")
       .def_static(
           "nearest_rigid",
           [](const PoseLike& given) {
@@ -108,8 +111,9 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
            "The pose that undoes it: each number of its linear part is the nearest double. Raises Error where it is "
            "singular.")
       .def("transform", &transformed, nb::arg("points"),
-           "Where the pose brings a point, shape (3,), or points, shape (N, 3). Rounded as the truth page says "
-           "(docs/truth.md).")
+           "Where the pose brings a point, shape (3,), or points, shape (N, 3), in the unit of the coordinates. "
+           "Rounded as "
+           "the truth page says (docs/truth.md). Raises Error for other shapes.")
       .def("__mul__", &composed, nb::arg("inner"), nb::is_operator(), "The inner pose first, then this one; rounded.")
       .def("__matmul__", &composed, nb::arg("inner"), nb::is_operator(), "The same as *.")
       .def(

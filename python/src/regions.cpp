@@ -89,8 +89,8 @@ void bind_faces(nb::module_& module) {
       nb::arg("shape"), nb::arg("lower"), nb::arg("upper"), nb::arg("pose") = nb::none(),
       R"(What of a posed shape has a point in common with a closed box of the world, by its least and its greatest corner.
 
-A structured array: element and face, ascending. Exact, touching included; of a mesh its triangles are asked about, so a box
-deep inside finds none. Raises Error when the box is empty or not finite, and for poses as overlap does.)");
+Corners of the shape (3,), in the unit of the coordinates. A structured array: element and face, ascending. Exact, touching
+included; of a mesh its triangles are asked about, so a box deep inside finds none. Raises Error when the box is empty or not finite, and for poses as overlap does.)");
   module.def(
       "faces_in_ball",
       [](const AnyShape& shape, const ArrayLike& centre, double radius, const PoseLike& pose) {
@@ -100,7 +100,10 @@ deep inside finds none. Raises Error when the box is empty or not finite, and fo
             asked_about(shape.model, [&](const Model& model) { return faces_in_region(ball, model, placed); }));
       },
       nb::arg("shape"), nb::arg("centre"), nb::arg("radius"), nb::arg("pose") = nb::none(),
-      "The same of a closed ball, whose radius may be 0.");
+      "faces_in_box of a closed ball of the world, its centre of the shape (3,), whose radius may be 0, in the unit of "
+      "the "
+      "coordinates. Raises Error when the radius is negative or a number is not finite, and for poses as overlap "
+      "does.");
   module.def(
       "faces_in_region_each",
       [](const AnyShape& shape, const nb::object& boxes, const nb::object& centres, const nb::object& radii,
@@ -117,8 +120,9 @@ deep inside finds none. Raises Error when the box is empty or not finite, and fo
               "numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike | None = None, pose: "
               "toccata._typing.PoseLike | None = None, threads: int = 0) -> toccata._typing.Answers"),
       "faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or "
-      "N, on "
-      "all cores: one structured array of all, in order, whose field query says of which region a row is.");
+      "N, in the world and the unit of the coordinates, on all cores: one structured array of all, in order, whose "
+      "field query says of which region a row is. Raises Error like these, naming the region, and for boxes and balls "
+      "at once.");
 }
 
 void bind_points(nb::module_& module) {
@@ -135,7 +139,8 @@ void bind_points(nb::module_& module) {
       nb::arg("threads") = all_threads,
       "Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured "
       "array, "
-      "the nearest first of each, with query, object and the members of SurfacePoint. Raises Error naming the point.");
+      "the nearest first of each, with query, object and the members of SurfacePoint; in the world and the unit of the "
+      "coordinates. Raises Error naming the point.");
   module.def(
       "scene_signed_distance_each",
       [](const ArrayLike& points, const ObjectsLike& objects, SignBy sign_by, int threads) {
@@ -154,7 +159,8 @@ void bind_points(nb::module_& module) {
       "How far many points, shape (N, 3), are from the nearest surface of all objects, negative inside one of them: a "
       "structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the "
       "first "
-      "object that the point is inside of.");
+      "object that the point is inside of; in the world and the unit of the coordinates. Raises Error like "
+      "signed_distance, naming the point.");
 }
 
 }  // namespace

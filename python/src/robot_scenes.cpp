@@ -193,7 +193,8 @@ void bind_scene(nb::class_<RobotScene>& bound) {
       .def("names", &names_of, nb::arg("answer"),
            nb::sig("def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]"),
            "What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an "
-           "obstacle.")
+           "obstacle. "
+           "Raises Error for an answer of another scene.")
       .def(
           "looks_at",
           [](const RobotScene& scene, Index link, Index other, bool with_obstacle) {
@@ -205,7 +206,8 @@ void bind_scene(nb::class_<RobotScene>& bound) {
           },
           nb::arg("link"), nb::arg("other"), nb::arg("with_obstacle") = false,
           "Whether these two, told by their numbers, are looked at: two links in either order, or a link and an "
-          "obstacle.")
+          "obstacle. "
+          "Raises Error for a number that there is not.")
       .def(
           "__copy__", [](const RobotScene& scene) { return scene; }, "It does not change: all is shared.")
       .def(
@@ -232,7 +234,9 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
             return without_lock([&, copy = scene] { return copy.meets(given.numbers()); });
           },
           nb::arg("configuration"),
-          "Does any pair that is looked at have a point in common, at a configuration, shape (P,)? Exact.")
+          "Does any pair that is looked at have a point in common, at a configuration, shape (P,)? Exact. Raises Error "
+          "for "
+          "another shape, and when a number is not finite.")
       .def(
           "meets_each",
           [](const RobotScene& scene, const ArrayLike& configurations, int threads) {
@@ -250,7 +254,9 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
             const Configurations given = configuration_of(configuration, scene.robot(), "configuration");
             return without_lock([&, copy = scene] { return copy.contacts(given.numbers()); });
           },
-          nb::arg("configuration"), "Which links meet which others at a configuration, shape (P,); ascending. Exact.")
+          nb::arg("configuration"),
+          "Which links meet which others at a configuration, shape (P,); ascending. Exact. Raises "
+          "Error like meets.")
       .def(
           "contacts_each",
           [](const RobotScene& scene, const ArrayLike& configurations, int threads) {
@@ -261,7 +267,7 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
           },
           nb::arg("configurations"), nb::kw_only(), nb::arg("threads") = all_threads,
           "contacts of many, shape (N, P), on all cores: one structured array of all, in order, with the members of "
-          "RobotContact and query, which says of which configuration a row is.");
+          "RobotContact and query, which says of which configuration a row is. Raises Error naming the configuration.");
 }
 
 void bind_distances(nb::class_<RobotScene>& bound) {
@@ -275,8 +281,11 @@ void bind_distances(nb::class_<RobotScene>& bound) {
             return found ? std::optional(told(*found)) : std::nullopt;
           },
           nb::arg("configuration"), nb::arg("max_distance") = unlimited,
-          "The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient; None "
-          "where there is none within the greatest distance. Raises Error for a greatest distance that is negative.")
+          "The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient, in "
+          "the unit "
+          "of the coordinates; None where there is none within the greatest distance. Raises Error like meets, and for "
+          "a "
+          "greatest distance that is negative.")
       .def(
           "distance_each",
           [](const RobotScene& scene, const ArrayLike& configurations, double max_distance, int threads) {
@@ -289,7 +298,8 @@ void bind_distances(nb::class_<RobotScene>& bound) {
           nb::arg("configurations"), nb::arg("max_distance") = unlimited, nb::kw_only(),
           nb::arg("threads") = all_threads,
           "distance of many, shape (N, P), on all cores: a structured array with the members of RobotDistance, the "
-          "gradient of the shape (P,), and found.");
+          "gradient of the shape (P,), and found; in the unit of the coordinates. Raises Error naming the "
+          "configuration.");
 }
 
 void bind_edges(nb::class_<RobotScene>& bound) {
@@ -305,7 +315,11 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           },
           nb::arg("begin"), nb::arg("end"), nb::arg("precision") = usual,
           "The straight way from one configuration to another, shapes (P,): free at every moment, or when which two "
-          "first meet, as a part of the way, told within the precision. Raises Error for one below 2**-40 or above 1.")
+          "first meet, as a part of the way, told within the precision, a part too (conservative advancement: B. "
+          "Mirtich, "
+          "\"Impulse-based dynamic simulation of rigid body systems\", 1996). Raises Error like meets, and for a "
+          "precision "
+          "below 2**-40 or above 1.")
       .def(
           "edge_each",
           [](const RobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision, int threads) {
@@ -316,7 +330,9 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           },
           nb::arg("begins"), nb::arg("ends"), nb::arg("precision") = usual, nb::kw_only(),
           nb::arg("threads") = all_threads,
-          "edge of many, shapes (N, P), on all cores: a structured array with the members of RobotEdge.")
+          "edge of many, shapes (N, P), on all cores: a structured array with the members of RobotEdge. Raises Error "
+          "naming "
+          "the configuration.")
       .def(
           "free_each",
           [](const RobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision, int threads) {
@@ -328,7 +344,9 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           },
           nb::arg("begins"), nb::arg("ends"), nb::arg("precision") = usual, nb::kw_only(),
           nb::arg("threads") = all_threads,
-          "Only whether each is free, which is quicker: an array of bools, shape (N,).");
+          "Only whether each edge, by its ends of the shapes (N, P), is free, which is quicker, on all cores: an array "
+          "of "
+          "bools, shape (N,). Raises Error like edge_each.");
 }
 
 void bind_obstacles(nb::module_& module) {
@@ -338,17 +356,18 @@ void bind_obstacles(nb::module_& module) {
         return point_cloud(vectors_of(points, "points"), radius, name);
       },
       nb::arg("points"), nb::arg("radius"), nb::arg("name") = "cloud",
-      "A point cloud as an obstacle: a ball of this radius around each point, shape (N, 3). Raises Error without a "
-      "point, and for a radius that is not positive.");
+      "A point cloud as an obstacle: a ball of this radius around each point, shape (N, 3), in the world and the unit "
+      "of "
+      "the coordinates. Raises Error without a point, and for a radius that is not positive.");
   module.def(
       "voxel_map",
       [](const ArrayLike& middles, double edge, const std::string& name) {
         return voxel_map(vectors_of(middles, "middles"), edge, name);
       },
       nb::arg("middles"), nb::arg("edge"), nb::arg("name") = "voxels",
-      "The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube around each middle, "
-      "shape "
-      "(N, 3). Raises Error like point_cloud.");
+      "The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube of this edge around "
+      "each middle, "
+      "shape (N, 3), in the world and the unit of the coordinates. Raises Error like point_cloud.");
   module.def(
       "generated_room",
       [](std::size_t boxes, bool meshes, std::uint64_t seed) {
@@ -356,7 +375,9 @@ void bind_obstacles(nb::module_& module) {
         return generated_room({boxes, meshes, seed});
       },
       nb::arg("boxes") = 100, nb::arg("meshes") = true, nb::arg("seed") = 1,
-      "What stands around Robot.generated(): boxes that are turned any way, and three meshes.");
+      "What stands around Robot.generated(), in its unit: boxes that are turned any way, and three meshes. Raises "
+      "Error "
+      "for more than a million boxes.");
 }
 
 }  // namespace
@@ -370,7 +391,8 @@ void bind_robot_scenes(nb::module_& module) {
 What is said of a configuration is what overlap and distance say of the shapes at the places of Robot.posed, pair by pair:
 exactly, on meshes too. Obstacles are SceneInstances, shapes, or pairs (shape, pose). Pairs of names in `allowed` are not
 looked at, nor, with allow_adjacent, links that a joint joins, nor what an attached object may touch. Answers do not depend
-on threads. Raises Error for names that there are not, and naming the obstacle that cannot be posed so.)");
+on threads. Lengths are in the unit of the coordinates (URDF: metres). Raises Error for names that there are not, and naming
+the obstacle that cannot be posed so.)");
   bind_scene(bound);
   bind_contacts(bound);
   bind_distances(bound);

@@ -124,8 +124,9 @@ void bind_joint(nb::module_& module) {
   nb::class_<RobotJoint>(module, "RobotJoint", R"(How one link of a robot hangs on another, as in URDF.
 
 origin: where the child is in the parent's frame at the position 0, a rotation and a translation. axis: shape (3,), in the
-child's frame. limits: (lower, upper) of the position, radians or a length. mimic: (joint, multiplier, offset), whose
-position it follows.)")
+child's frame. limits: (lower, upper) of the position, radians or a length in the unit of the coordinates (URDF: metres).
+mimic: (joint, multiplier, offset), whose position it follows. Raises Error for what is no pose and no axis; what is wrong
+among joints is told by Robot.)")
       .def(
           "__init__",
           [](RobotJoint* place, const std::string& name, RobotJointKind kind, const std::string& parent,
@@ -264,8 +265,11 @@ void bind_making(nb::class_<Robot>& bound) {
           "from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = std::vector<std::string>{},
           nb::sig("def from_urdf(path: str, packages: collections.abc.Sequence[str] = ()) -> Robot"),
           "Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, "
-          "before the folders that the file lies in. Raises Error naming the file, line and element; warns of "
-          "sizes that look like another unit, and of links that have a picture alone.")
+          "before the folders that the file lies in. Lengths are metres. Raises Error naming the file, line and "
+          "element, "
+          "and for xacro, which is to be expanded first; warns of sizes that look like another unit, of glTF, whose y "
+          "axis "
+          "points up, and of links that have a picture alone.")
       .def_static(
           "generated",
           [](int subdivisions, std::uint64_t seed) {
@@ -287,7 +291,9 @@ void bind_making(nb::class_<Robot>& bound) {
           nb::arg("touch_links") = std::vector<std::string>{},
           nb::sig("def with_attached(self, name: str, shape: Shape, link: str, pose: toccata._typing.PoseLike | None = "
                   "None, touch_links: collections.abc.Sequence[str] = ()) -> Robot"),
-          "A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame. It may touch that link "
+          "A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame, in the unit of the "
+          "robot. It "
+          "may touch that link "
           "and those that are named. Positions stay as they are. Raises Error for links that there are not.")
       .def("__reduce__", [](const Robot& robot) { return nb::make_tuple(nb::type<Robot>(), arguments_of(robot)); });
 }
@@ -325,7 +331,9 @@ void bind_configurations(nb::class_<Robot>& bound) {
             return numbers_told(sampled_configurations(robot, count, seed), {count, robot.positions().size()});
           },
           nb::arg("count"), nb::arg("seed") = 1,
-          "Random configurations within the limits, shape (count, P); the same for the same seed.")
+          "Random configurations within the limits, shape (count, P), in radians and the unit of the lengths; the same "
+          "for "
+          "the same seed.")
       .def(
           "read_configurations",
           [](const Robot& robot, const std::string& path) {
@@ -343,7 +351,9 @@ void bind_configurations(nb::class_<Robot>& bound) {
             return robot.beyond_limits(configuration_of(configuration, robot, "configuration").numbers());
           },
           nb::arg("configuration"),
-          "The first position that is beyond its limits, or None. Other questions do not look at limits.")
+          "The first position of a configuration, shape (P,), that is beyond its limits, or None. Other questions do "
+          "not "
+          "look at limits. Raises Error for another shape, and when a number is not finite.")
       .def(
           "link_poses",
           [](const Robot& robot, const ArrayLike& configuration) {
@@ -351,7 +361,9 @@ void bind_configurations(nb::class_<Robot>& bound) {
             return matrices_told(robot.link_poses(given.numbers()), {robot.links().size(), 4, 4});
           },
           nb::arg("configuration"),
-          "Where the links are in the world at a configuration, shape (P,): matrices, shape (L, 4, 4).")
+          "Where the links are in the world at a configuration, shape (P,): matrices, shape (L, 4, 4). Raises Error "
+          "for "
+          "another shape, and when a number is not finite.")
       .def(
           "link_poses_each",
           [](const Robot& robot, const ArrayLike& configurations, int threads) {
@@ -362,14 +374,18 @@ void bind_configurations(nb::class_<Robot>& bound) {
             return matrices_told(poses, {given.given.rows(), robot.links().size(), 4, 4});
           },
           nb::arg("configurations"), nb::kw_only(), nb::arg("threads") = all_threads,
-          "link_poses of many, shape (N, P): matrices, shape (N, L, 4, 4).")
+          "link_poses of many, shape (N, P), on all cores: matrices in the world, shape (N, L, 4, 4). Raises Error "
+          "naming the "
+          "configuration.")
       .def(
           "posed",
           [](const Robot& robot, const ArrayLike& configuration) {
             return robot.posed(configuration_of(configuration, robot, "configuration").numbers());
           },
           nb::arg("configuration"),
-          "The shapes of the links where a configuration puts them, with names: for show, check_all and SceneIndex.");
+          "The shapes of the links where a configuration, shape (P,), puts them in the world, with names: for show, "
+          "check_all "
+          "and SceneIndex. Raises Error like link_poses.");
 }
 
 void bind_allowed(nb::class_<Robot>& bound) {

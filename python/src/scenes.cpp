@@ -137,7 +137,8 @@ void bind_instance(nb::module_& module) {
   nb::class_<SceneInstance>(module, "SceneInstance",
                             R"(A shape at its place, as one of many.
 
-What it is called is for messages; two of one group that is not empty are not checked against each other (check_all).)")
+The pose is in the world. What it is called is for messages; two of one group that is not empty are not checked against each
+other (check_all). Raises Error for what is no pose.)")
       .def(
           "__init__",
           [](SceneInstance* place, const AnyShape& shape, const PoseLike& pose, Solid solid, const std::string& name,
@@ -184,7 +185,8 @@ void bind_index(nb::module_& module) {
 
 Made of a list of shapes, pairs (shape, pose) and SceneInstances. Each answer is what the question of that name gives for
 every one of them by itself. Objects are told by their index in the list; `only`, an array of as many truths, says which
-are asked. Questions may be asked from many threads at once. Raises Error naming the object that cannot be posed so.)");
+are asked, and what is asked is in the world. Lengths are in the unit of the coordinates. Questions may be asked from many
+threads at once. Raises Error naming the object that cannot be posed so.)");
   bound
       .def(
           "__init__",
@@ -349,8 +351,8 @@ Everything is told in structured arrays; where one has a field pair, that counts
 The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
 (brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
 (a, b, length), says others for some. volume asks how much they have in common; overlaps that are certainly no deeper than
-the tolerance are told to be within it. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
-naming the object that is asked about wrongly.)");
+the tolerance are told to be within it. Lengths are in the unit of the coordinates. Which pairs is exact. On all cores,
+without the lock; Ctrl-C ends it. Raises Error naming the object that is asked about wrongly.)");
   module.def(
       "self_contacts_each",
       [](const ObjectsLike& objects, int threads) {
@@ -362,7 +364,7 @@ naming the object that is asked about wrongly.)");
       nb::arg("objects"), nb::kw_only(), nb::arg("threads") = all_threads,
       "Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, "
       "and "
-      "object, which says whose contact a row is.");
+      "object, which says whose contact a row is. In any unit. Raises Error like self_contacts, naming the object.");
 }
 
 }  // namespace

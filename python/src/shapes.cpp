@@ -296,14 +296,18 @@ finite, an index out of range, or there is no triangle.)")
       .def(
           "update", [](Mesh& mesh, const ArrayLike& vertices) { mesh.model.deform(vectors_of(vertices, "vertices")); },
           nb::arg("vertices"),
-          "Gives the mesh other vertices, as many as before, shape (N, 3): the boxes of its tree are put around them, "
-          "and "
-          "no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises "
+          "Gives the mesh other vertices, as many as before, shape (N, 3), in its own frame and unit: the boxes of its "
+          "tree "
+          "are put around them, and no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep "
+          "what they have. Raises "
           "Error "
           "for another number of vertices and where one is not finite; the mesh then stays as it was.")
       .def(
           "write", [](const Mesh& mesh, const std::string& path) { write_mesh(mesh.model.mesh(), path); },
-          nb::arg("path"), "Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back.")
+          nb::arg("path"),
+          "Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back. Raises Error naming "
+          "the "
+          "file that cannot be written.")
       .def("__repr__",
            [](const Mesh& mesh) {
              const TriangleMesh& triangles = mesh.model.mesh();
@@ -314,8 +318,8 @@ finite, an index out of range, or there is no triangle.)")
       .attr("__hash__") = nb::none();
   module.def(
       "load_mesh", &mesh_of_file, nb::arg("path"),
-      "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, nothing repaired. Raises "
-      "Error naming file and line.");
+      "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, in the unit of the file, "
+      "nothing repaired. Raises Error naming file and line.");
   module.def("generate_mesh", &generated, nb::arg("name"), nb::arg("parameters"),
              "A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters "
              "(docs/guide/generated-meshes.md): the same bits everywhere. Raises Error for an unknown name.",
@@ -398,7 +402,7 @@ void bind_triangle(nb::module_& module) {
   nb::class_<Triple, AnyShape>(
       module, "Triangle",
       "A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), "
-      "in any unit. Raises Error when a number is not finite.")
+      "in its own frame and any unit. Raises Error when a number is not finite.")
       .def(
           "__init__",
           [](Triple* place, const ArrayLike& vertices) {
@@ -424,12 +428,13 @@ void bind_triangle(nb::module_& module) {
 }
 
 void bind_hull(nb::module_& module) {
-  nb::class_<Hull, AnyShape>(module, "ConvexHull",
-                             "The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. "
-                             "Dobkin, H. Huhdanpaa, \"The "
-                             "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
-                             "Raises Error when there is no "
-                             "point, or one is not finite.")
+  nb::class_<Hull, AnyShape>(
+      module, "ConvexHull",
+      "The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. "
+      "Dobkin, H. Huhdanpaa, \"The "
+      "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
+      "Raises Error when there is no "
+      "point, or one is not finite.")
       .def(
           "__init__",
           [](Hull* place, const ArrayLike& points) {
@@ -458,9 +463,10 @@ void bind_hull(nb::module_& module) {
 void bind_height_field(nb::module_& module) {
   nb::class_<Field, AnyShape>(
       module, "HeightField",
-      "A surface above a grid in the x-y plane: the vertex of row j and column i is (i * spacing[0], j * spacing[1], "
-      "heights[j, i]). Heights of the shape (rows, columns), at least two of each. Raises Error when a number is not "
-      "finite, or a spacing is not positive.")
+      "A surface above a grid in the x-y plane of its own frame: the vertex of row j and column i is (i * spacing[0], "
+      "j * spacing[1], "
+      "heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a "
+      "number is not finite, or a spacing is not positive.")
       .def(
           "__init__",
           [](Field* place, const ArrayLike& heights, const ArrayLike& spacing) {
@@ -499,7 +505,8 @@ void bind_rounded(nb::module_& module) {
   nb::class_<Round, AnyShape>(
       module, "Rounded",
       "A point, segment, triangle, box or convex hull grown by a ball: all points within the radius "
-      "of it. Its pose may not deform it. Raises Error when the radius is not positive.")
+      "of it, in the unit of the shape. Its pose may not deform it. Raises Error when the radius is not positive, and "
+      "for another shape.")
       .def(
           "__init__",
           [](Round* place, const AnyShape& shape, double radius) {
@@ -523,8 +530,8 @@ void bind_rounded(nb::module_& module) {
 void bind_compound(nb::module_& module) {
   nb::class_<Parts, AnyShape>(
       module, "Compound",
-      "The union of shapes, each a shape or a pair (shape, pose); solid if all parts are. Raises "
-      "Error when there is none, and for a pose that is not finite.")
+      "The union of shapes, each a shape or a pair (shape, pose) in the frame of the whole, in one unit; solid if all "
+      "parts are. Raises Error when there is none, and for a pose that is not finite.")
       .def(
           "__init__",
           [](Parts* place, const nb::object& parts) {
@@ -599,30 +606,43 @@ void bind_shapes(nb::module_& module) {
                    equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
           },
           nb::sig("def __eq__(self, other: object, /) -> bool"));
-  bind_described<Point>(module, "Point", "One point: a surface. Raises Error when a number is not finite.");
+  bind_described<Point>(
+      module, "Point",
+      "One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.");
   bind_described<Segment>(module, "Segment",
-                          "A segment between two points: a surface. Raises Error when a number is not finite.");
+                          "A segment between two points, shape (3,), in its own frame and any unit: a surface. Raises "
+                          "Error when a number is "
+                          "not finite.");
   bind_triangle(module);
   bind_described<Sphere>(module, "Sphere",
-                         "A solid ball. Its pose may not deform it. Raises Error when the radius is not positive.");
-  bind_described<Box>(module, "Box",
-                      "A solid box along the axes of its own frame; half extents from the centre to the faces. Raises "
-                      "Error when one is not positive.");
+                         "A solid ball around a centre, shape (3,), in its own frame and any unit. Its pose may not "
+                         "deform it. Raises Error when the "
+                         "radius is not positive, or a number is not finite.");
+  bind_described<Box>(
+      module, "Box",
+      "A solid box along the axes of its own frame; half extents, shape (3,), from the centre to the faces, in any "
+      "unit. Raises Error when one is not positive, or a number is not finite.");
   bind_described<Capsule>(module, "Capsule",
-                          "All points within the radius of a segment. Its pose may not deform it. Raises Error when "
-                          "the radius is not positive.");
-  bind_described<HalfSpace>(module, "HalfSpace",
-                            "All that lies on the side of a plane away from the normal, which may have any length but "
-                            "0: solid, and without end. Its pose may not deform it.");
-  bind_described<Cylinder>(module, "Cylinder",
-                           "A solid cylinder around the z axis from -half_height to half_height. Raises Error when a "
-                           "number is not positive.");
-  bind_described<Cone>(module, "Cone",
-                       "A solid cone around the z axis, its base at -half_height and its tip at half_height. Raises "
-                       "Error when a number is not positive.");
+                          "All points within the radius of a segment between two points, shape (3,), in its own frame "
+                          "and any unit. Its pose may not "
+                          "deform it. Raises Error when the radius is not positive, or a number is not finite.");
+  bind_described<HalfSpace>(
+      module, "HalfSpace",
+      "All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and "
+      "without end. A point of the plane and the normal have the shape (3,), in its own frame and any unit. Its pose "
+      "may not deform it. Raises Error when a number is not finite, or the normal is 0.");
+  bind_described<Cylinder>(
+      module, "Cylinder",
+      "A solid cylinder around the z axis of its own frame from -half_height to half_height, in any unit. "
+      "Raises Error when a number is not positive and finite.");
+  bind_described<Cone>(
+      module, "Cone",
+      "A solid cone around the z axis of its own frame, its base at -half_height and its tip at half_height, in "
+      "any unit. Raises Error when a number is not positive and finite.");
   bind_described<Ellipsoid>(
       module, "Ellipsoid",
-      "A solid ellipsoid around the origin, its half axes along the axes. Raises Error when one is not positive.");
+      "A solid ellipsoid around the origin of its own frame, its half axes, shape (3,), along the axes, in any unit. "
+      "Raises Error when one is not positive and finite.");
   bind_hull(module);
   bind_rounded(module);
   bind_height_field(module);

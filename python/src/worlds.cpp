@@ -201,7 +201,7 @@ void bind_pairs(nb::module_& module) {
   nb::class_<HeldPairs>(
       module, "WorldPairs",
       "Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array "
-      "has a field pair, that counts the rows of pairs.")
+      "has a field pair, that counts the rows of pairs. Lengths are in the unit of the coordinates.")
       .def("__len__", [](const HeldPairs& pairs) { return pairs.reports.size(); })
       .def_prop_ro(
           "pairs",
@@ -246,7 +246,8 @@ void bind_pairs(nb::module_& module) {
             const auto& details = pairs.reports[pair].details;
             return details == nullptr ? std::nullopt : details->manifold;
           },
-          nb::arg("pair"), "Its manifold, if asked for and defined.")
+          nb::arg("pair"),
+          "Its manifold, if asked for and defined, in the world. Raises Error for a number that no pair has.")
       .def("__repr__",
            [](const HeldPairs& pairs) { return fmt::format("<toccata.WorldPairs: {}>", pairs.reports.size()); });
 }
@@ -300,7 +301,8 @@ void bind_body(nb::module_& module) {
   nb::class_<Body>(module, "Body", R"(A shape at its place in a World, and what is to be told of it.
 
 Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
-sum of their margins apart: lengths in the unit of the coordinates.)")
+sum of their margins apart: lengths in the unit of the coordinates. The pose is in the world. Raises Error for what is no
+pose; the rest is looked at by World.add.)")
       .def(
           "__init__",
           [](Body* place, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
@@ -324,7 +326,8 @@ sum of their margins apart: lengths in the unit of the coordinates.)")
         return fmt::format("<toccata.Body: {}{}{}>", name_of(body.model.shape()), body.name.empty() ? "" : " ",
                            body.name);
       });
-  nb::class_<AskedBodies>(module, "BodyFilter", "Which bodies of a World are asked.")
+  nb::class_<AskedBodies>(module, "BodyFilter",
+                          "Which bodies of a World are asked. Raises Error for what is no BodyId.")
       .def(
           "__init__",
           [](AskedBodies* place, std::uint64_t mask, std::uint64_t group, const nb::object& except) {
@@ -367,8 +370,8 @@ void bind_bodies_of_world(BoundWorld& bound) {
           nb::arg("solid") = Solid::automatic, nb::arg("group") = 1, nb::arg("mask") = ~std::uint64_t{0},
           nb::arg("margin") = 0.0, nb::arg("user_data") = 0, nb::arg("name") = "",
           "The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no "
-          "length "
-          "and for a pose that its shape may not have.")
+          "length and for a pose that its shape may not have. The pose is in the world, the margin in the unit of the "
+          "coordinates.")
       .def(
           "add_each",
           [](const HeldWorld& held, const ShapesLike& shapes, const PosesLike& poses, const ArrayLike& margins,
@@ -385,8 +388,8 @@ void bind_bodies_of_world(BoundWorld& bound) {
           nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::arg("margins") = 0.0, nb::kw_only(),
           nb::arg("type") = BodyType::dynamic_body, nb::arg("solid") = Solid::automatic, nb::arg("group") = 1,
           nb::arg("mask") = ~std::uint64_t{0},
-          "Adds one shape at many poses, or as many shapes; the array of their ids (index, generation, world), in "
-          "order.")
+          "Adds one shape at many poses, or as many shapes, with one margin or as many, shape (N,), in the unit of the "
+          "coordinates; the array of their ids (index, generation, world), in order. Raises Error like add.")
       .def(
           "remove",
           [](const HeldWorld& held, const BodiesLike& bodies) {
@@ -402,7 +405,9 @@ void bind_bodies_of_world(BoundWorld& bound) {
             held.with([&](World& world) { world.move(ids, at); });
           },
           nb::arg("bodies"), nb::arg("poses"),
-          "Gives bodies other poses, however far: as many poses as bodies, or one. Raises Error as add does.")
+          "Gives bodies other poses in the world, however far: as many poses as bodies, or one. Raises Error as add "
+          "does, and "
+          "naming an id that is of no body here.")
       .def(
           "move_along",
           [](const HeldWorld& held, const BodiesLike& bodies, const nb::object& motions) {
@@ -415,13 +420,15 @@ void bind_bodies_of_world(BoundWorld& bound) {
                   "collections.abc.Sequence[RigidMotion]) -> None"),
           "Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the "
           "way: "
-          "nothing tunnels.")
+          "nothing tunnels. Raises Error like move.")
       .def(
           "replace",
           [](const HeldWorld& held, const BodyId& id, const Body& body) {
             held.with([&, copy = body](World& world) { world.replace(id, copy); });
           },
-          nb::arg("id"), nb::arg("body"), "Makes a body into another one, all of it; its id and rules stay.")
+          nb::arg("id"), nb::arg("body"),
+          "Makes a body into another one, all of it; its id and rules stay. Raises Error like "
+          "add, and naming an id that is of no body here.")
       .def(
           "set_rule",
           [](const HeldWorld& held, const BodyId& a, const BodyId& b, bool excluded, std::optional<double> margin) {
@@ -429,7 +436,9 @@ void bind_bodies_of_world(BoundWorld& bound) {
           },
           nb::arg("a"), nb::arg("b"), nb::kw_only(), nb::arg("excluded") = false, nb::arg("margin") = nb::none(),
           "What is said about two bodies in particular: that they never make a pair, or another margin than the sum of "
-          "theirs. A rule that says nothing ends an earlier one.")
+          "theirs, in the unit of the coordinates. A rule that says nothing ends an earlier one. Raises Error naming "
+          "an id "
+          "that is of no body here, and for a margin that is no length.")
       .def(
           "exclude",
           [](const HeldWorld& held, const BodiesLike& a, const BodiesLike& b) {
@@ -440,7 +449,9 @@ void bind_bodies_of_world(BoundWorld& bound) {
             for (std::size_t i = 0; i < of_a.size(); ++i) rules.push_back({of_a[i], of_b[i], true, {}});
             held.with([&](World& world) { world.set_rules(rules); });
           },
-          nb::arg("a"), nb::arg("b"), "Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays.");
+          nb::arg("a"), nb::arg("b"),
+          "Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays of ids, "
+          "shape (N,). Raises Error naming an id that is of no body here.");
 }
 
 nb::object pair_told(const std::optional<BodyPair>& pair) {
@@ -473,7 +484,9 @@ void bind_state_of_world(BoundWorld& bound) {
                 [&] { return held.ask([&](const WorldQueries& queries) { return queries.any_within(distance); }); }));
           },
           nb::arg("distance"), nb::sig("def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None"),
-          "The same of pairs that are at most so far apart, decided exactly. Raises Error for what is no length.")
+          "any_contact of pairs that are at most so far apart, in the unit of the coordinates, decided exactly. Raises "
+          "Error "
+          "for what is no length.")
       .def(
           "least_distance",
           [](const HeldWorld& held, double max_distance) -> nb::object {
@@ -486,9 +499,9 @@ void bind_state_of_world(BoundWorld& bound) {
           nb::arg("max_distance") = unlimited,
           nb::sig("def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | "
                   "None"),
-          "The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where "
-          "none "
-          "is within the greatest distance.")
+          "The nearest two of the bodies that make pairs, and their distance as of A and B in this order, in the unit "
+          "of the "
+          "coordinates; None where none is within the greatest distance. Raises Error for one that is no length.")
       .def_prop_ro(
           "pairs",
           [](const HeldWorld& held) {
@@ -558,8 +571,8 @@ void bind_worlds(nb::module_& module) {
 The options say what is told of every pair, besides that it is one; each costs what the question of that name costs.
 kinematic_pairs: whether two kinematic bodies, and a kinematic and a static one, make pairs. space_time: pairs that cannot
 meet for some steps are not looked at in these. Which pairs is exact, and the same on any number of threads. Questions
-about the bodies where they are now need no step; `only` is a BodyFilter. A World may be used from many threads, one after the
-other.)");
+about the bodies where they are now need no step; `only` is a BodyFilter. Lengths are in the unit of the coordinates. A World
+may be used from many threads, one after the other. Raises Error for a broad phase that there is not.)");
   bound.def(
       "__init__",
       [](HeldWorld* place, bool relation, bool distance, bool contacts, bool manifold, bool penetration,

@@ -8,7 +8,7 @@ import re
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = ["README.md", *(f"docs/guide/{name}.md" for name in ("python", "python-batches", "from-trimesh", "from-python-fcl", "robots"))]
+PAGES = ["README.md", *(f"docs/guide/{name}.md" for name in ("python", "python-batches", "from-trimesh", "from-python-fcl", "from-coal", "robots"))]
 
 
 @pytest.mark.skipif(not (ROOT / "docs/guide").exists(), reason="the guide is not beside the tests")

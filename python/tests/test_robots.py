@@ -318,6 +318,35 @@ def test_urdf_is_read_and_warned_of(tmp_path):
         toccata.Robot.from_urdf(str(file))
 
 
+def test_macros_are_to_be_expanded_first(tmp_path):
+    file = tmp_path / "arm.urdf.xacro"
+    file.write_text(URDF)
+    try:
+        with pytest.raises(toccata.Error, match=r"arm.urdf.xacro: xacro macros are not expanded here; expand them first \(`xacro .*arm.urdf`\)"):
+            toccata.Robot.from_urdf(str(file))
+    except AssertionError as error:
+        skip_without_urdfdom(error)
+
+
+# A triangle whose third corner is on the y axis.
+GLTF = """{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]}"""
+
+
+def test_gltf_is_warned_of_and_taken_as_it_is(tmp_path):
+    """By its standard y points up, and z in a URDF file."""
+    (tmp_path / "part.gltf").write_text(GLTF)
+    file = tmp_path / "one.urdf"
+    file.write_text('<robot name="one"><link name="a"><collision><geometry><mesh filename="part.gltf"/></geometry></collision></link></robot>')
+    try:
+        with pytest.warns(UserWarning, match="part.gltf' is glTF, whose y axis points up by its standard: its numbers are taken as they are"):
+            robot = toccata.Robot.from_urdf(str(file))
+    except toccata.Error as error:
+        skip_without_urdfdom(error)
+    assert robot.posed([])[0].shape.vertices.tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+
+
 def test_wrong_configurations_are_refused(scene, robot):
     one, many = numpy.zeros(7), numpy.zeros((3, 7))
     for wrong in (numpy.zeros(6), numpy.zeros((2, 6)), numpy.zeros((1, 1, 7)), "seven", [[0] * 7, [0] * 6]):

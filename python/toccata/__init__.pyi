@@ -21,7 +21,9 @@ import toccata._typing
 
 
 class Error(ValueError):
-    pass
+    """
+    What was asked wrongly, and what to do: the message of the C++ library, which names the argument, file or element.
+    """
 
 class Status(enum.IntEnum):
     """How far an answer can be trusted."""
@@ -62,13 +64,13 @@ class Pose:
     @staticmethod
     def rotation(axis: numpy.typing.ArrayLike, degrees: float) -> Pose:
         """
-        Turns counter-clockwise about an axis through the origin, shape (3,), of any length but 0. Quarter turns about coordinate axes are exact.
+        Turns counter-clockwise, by an angle in degrees, about an axis through the origin, shape (3,), of any length but 0. Quarter turns about coordinate axes are exact. Raises Error when a number is not finite or the axis is 0.
         """
 
     @staticmethod
     def from_quaternion(quaternion: numpy.typing.ArrayLike, translation: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> Pose:
         """
-        Of a quaternion in the order x, y, z, w, as scipy and ROS have it; trimesh's has w first. It need not have length 1.
+        Of a quaternion, shape (4,), in the order x, y, z, w, as scipy and ROS have it; trimesh's has w first. It need not have length 1. The translation has the shape (3,), in the unit of the coordinates. Raises Error when a number is not finite or all four are 0.
         """
 
     @staticmethod
@@ -96,7 +98,7 @@ class Pose:
 
     def transform(self, points: numpy.typing.ArrayLike) -> toccata._typing.Floats:
         """
-        Where the pose brings a point, shape (3,), or points, shape (N, 3). Rounded as the truth page says (docs/truth.md).
+        Where the pose brings a point, shape (3,), or points, shape (N, 3), in the unit of the coordinates. Rounded as the truth page says (docs/truth.md). Raises Error for other shapes.
         """
 
     def __mul__(self, inner: Pose) -> Pose:
@@ -236,7 +238,9 @@ class Shape:
     def __eq__(self, other: builtins.object, /) -> bool: ...
 
 class Point(Shape):
-    """One point: a surface. Raises Error when a number is not finite."""
+    """
+    One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.
+    """
 
     def __init__(self, position: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
 
@@ -251,7 +255,7 @@ class Point(Shape):
 
 class Segment(Shape):
     """
-    A segment between two points: a surface. Raises Error when a number is not finite.
+    A segment between two points, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.
     """
 
     def __init__(self, start: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike) -> None: ...
@@ -270,7 +274,7 @@ class Segment(Shape):
 
 class Triangle(Shape):
     """
-    A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), in any unit. Raises Error when a number is not finite.
+    A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), in its own frame and any unit. Raises Error when a number is not finite.
     """
 
     def __init__(self, vertices: numpy.typing.ArrayLike) -> None: ...
@@ -286,7 +290,7 @@ class Triangle(Shape):
 
 class Sphere(Shape):
     """
-    A solid ball. Its pose may not deform it. Raises Error when the radius is not positive.
+    A solid ball around a centre, shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
     """
 
     def __init__(self, radius: float, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
@@ -305,7 +309,7 @@ class Sphere(Shape):
 
 class Box(Shape):
     """
-    A solid box along the axes of its own frame; half extents from the centre to the faces. Raises Error when one is not positive.
+    A solid box along the axes of its own frame; half extents, shape (3,), from the centre to the faces, in any unit. Raises Error when one is not positive, or a number is not finite.
     """
 
     def __init__(self, half_extents: numpy.typing.ArrayLike, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
@@ -324,7 +328,7 @@ class Box(Shape):
 
 class Capsule(Shape):
     """
-    All points within the radius of a segment. Its pose may not deform it. Raises Error when the radius is not positive.
+    All points within the radius of a segment between two points, shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when the radius is not positive, or a number is not finite.
     """
 
     def __init__(self, start: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike, radius: float) -> None: ...
@@ -346,7 +350,7 @@ class Capsule(Shape):
 
 class HalfSpace(Shape):
     """
-    All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and without end. Its pose may not deform it.
+    All that lies on the side of a plane away from the normal, which may have any length but 0: solid, and without end. A point of the plane and the normal have the shape (3,), in its own frame and any unit. Its pose may not deform it. Raises Error when a number is not finite, or the normal is 0.
     """
 
     def __init__(self, point: numpy.typing.ArrayLike, normal: numpy.typing.ArrayLike) -> None: ...
@@ -365,7 +369,7 @@ class HalfSpace(Shape):
 
 class Cylinder(Shape):
     """
-    A solid cylinder around the z axis from -half_height to half_height. Raises Error when a number is not positive.
+    A solid cylinder around the z axis of its own frame from -half_height to half_height, in any unit. Raises Error when a number is not positive and finite.
     """
 
     def __init__(self, radius: float, half_height: float) -> None: ...
@@ -384,7 +388,7 @@ class Cylinder(Shape):
 
 class Cone(Shape):
     """
-    A solid cone around the z axis, its base at -half_height and its tip at half_height. Raises Error when a number is not positive.
+    A solid cone around the z axis of its own frame, its base at -half_height and its tip at half_height, in any unit. Raises Error when a number is not positive and finite.
     """
 
     def __init__(self, radius: float, half_height: float) -> None: ...
@@ -403,7 +407,7 @@ class Cone(Shape):
 
 class Ellipsoid(Shape):
     """
-    A solid ellipsoid around the origin, its half axes along the axes. Raises Error when one is not positive.
+    A solid ellipsoid around the origin of its own frame, its half axes, shape (3,), along the axes, in any unit. Raises Error when one is not positive and finite.
     """
 
     def __init__(self, half_axes: numpy.typing.ArrayLike) -> None: ...
@@ -419,7 +423,7 @@ class Ellipsoid(Shape):
 
 class ConvexHull(Shape):
     """
-    The convex hull of points of the shape (N, 3), in any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. Raises Error when there is no point, or one is not finite.
+    The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. Raises Error when there is no point, or one is not finite.
     """
 
     def __init__(self, points: numpy.typing.ArrayLike) -> None: ...
@@ -442,7 +446,7 @@ class ConvexHull(Shape):
 
 class Rounded(Shape):
     """
-    A point, segment, triangle, box or convex hull grown by a ball: all points within the radius of it. Its pose may not deform it. Raises Error when the radius is not positive.
+    A point, segment, triangle, box or convex hull grown by a ball: all points within the radius of it, in the unit of the shape. Its pose may not deform it. Raises Error when the radius is not positive, and for another shape.
     """
 
     def __init__(self, core: Shape, radius: float) -> None: ...
@@ -462,7 +466,7 @@ class Rounded(Shape):
 
 class HeightField(Shape):
     """
-    A surface above a grid in the x-y plane: the vertex of row j and column i is (i * spacing[0], j * spacing[1], heights[j, i]). Heights of the shape (rows, columns), at least two of each. Raises Error when a number is not finite, or a spacing is not positive.
+    A surface above a grid in the x-y plane of its own frame: the vertex of row j and column i is (i * spacing[0], j * spacing[1], heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a number is not finite, or a spacing is not positive.
     """
 
     def __init__(self, heights: numpy.typing.ArrayLike, spacing: numpy.typing.ArrayLike = (1.0, 1.0)) -> None: ...
@@ -536,12 +540,12 @@ class Mesh(Shape):
 
     def update(self, vertices: numpy.typing.ArrayLike) -> None:
         """
-        Gives the mesh other vertices, as many as before, shape (N, 3): the boxes of its tree are put around them, and no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises Error for another number of vertices and where one is not finite; the mesh then stays as it was.
+        Gives the mesh other vertices, as many as before, shape (N, 3), in its own frame and unit: the boxes of its tree are put around them, and no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises Error for another number of vertices and where one is not finite; the mesh then stays as it was.
         """
 
     def write(self, path: str) -> None:
         """
-        Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back.
+        Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back. Raises Error naming the file that cannot be written.
         """
 
     def __repr__(self) -> str: ...
@@ -552,7 +556,7 @@ class Mesh(Shape):
 
 def load_mesh(path: str) -> Mesh:
     """
-    Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, nothing repaired. Raises Error naming file and line.
+    Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, in the unit of the file, nothing repaired. Raises Error naming file and line.
     """
 
 def generate_mesh(name: str, **parameters: float) -> Mesh:
@@ -562,7 +566,7 @@ def generate_mesh(name: str, **parameters: float) -> Mesh:
 
 class Compound(Shape):
     """
-    The union of shapes, each a shape or a pair (shape, pose); solid if all parts are. Raises Error when there is none, and for a pose that is not finite.
+    The union of shapes, each a shape or a pair (shape, pose) in the frame of the whole, in one unit; solid if all parts are. Raises Error when there is none, and for a pose that is not finite.
     """
 
     def __init__(self, parts: Iterable[Shape | tuple[Shape, toccata._typing.PoseLike | None]]) -> None: ...
@@ -791,20 +795,23 @@ def overlap(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, 
     """
     Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
 
-    Of cylinders, cones and ellipsoids a no is proved, and what is undecided counts as yes. Raises Error when a pose is not
-    finite, or one that its shape may not have, and when an open mesh is asked about as a solid.
+    Shapes are where their poses put them in the world, in any unit that both have. Of cylinders, cones and ellipsoids a no is
+    proved, and what is undecided counts as yes. Raises Error when a pose is not finite, or one that its shape may not have, and
+    when an open mesh is asked about as a solid.
     """
 
 def relation(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Relation:
     """
-    How the two posed shapes lie, exactly: apart, touching, overlapping or crossing, and which contains the other. Raises Error like overlap.
+    How the two posed shapes lie in the world, exactly: apart, touching, overlapping or crossing, and which contains the other. Raises Error like overlap.
     """
 
 def distance(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance:
     """
     How far the two posed shapes are apart, certified: an interval that contains the exact distance, and the nearest points.
 
-    0 when they meet, also when one lies within a solid. In the unit of the coordinates. Raises Error like overlap.
+    0 when they meet, also when one lies within a solid. In the unit of the coordinates; the points are in the world. Convex
+    shapes by E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the distance between complex objects
+    in three-dimensional space", 1988; that the interval holds is proved. Raises Error like overlap.
     """
 
 def within_distance(a: Shape, b: Shape, tolerance: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> bool:
@@ -814,7 +821,7 @@ def within_distance(a: Shape, b: Shape, tolerance: float, pose_a: toccata._typin
 
 def distance_within(a: Shape, b: Shape, limit: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance | None:
     """
-    What distance answers where it is at most the limit, else None, which is found out without it.
+    What distance answers where it is at most the limit, in the unit of the coordinates, else None, which is found out without it. Raises Error like overlap, and for a negative limit.
     """
 
 def penetration(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Penetration:
@@ -822,20 +829,23 @@ def penetration(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = No
     How deep two solids overlap, as an interval, and a short way to part them.
 
     Of convex shapes narrow; of meshes and compounds the bracket holds as well, and may be wide. In the unit of the
-    coordinates. Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two half-spaces.
+    coordinates; direction and points are in the world (G. van den Bergen, "Proximity queries and penetration depth computation
+    on 3D game objects", 2001). Raises Error like overlap, and where it is not defined: for surfaces, open meshes, two
+    half-spaces.
     """
 
 def cast_shape(a: Shape, motion: numpy.typing.ArrayLike, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
     """
     Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands.
 
-    lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved. Raises Error like overlap, and where
-    it is not defined, as of two half-spaces.
+    lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved (conservative advancement: B. Mirtich,
+    "Impulse-based dynamic simulation of rigid body systems", 1996). Lengths are in the unit of the coordinates. Raises Error like
+    overlap, and where it is not defined, as of two half-spaces.
     """
 
 def cast_shape_each(a: Shape, motions: numpy.typing.ArrayLike, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    cast_shape of many motions, shape (N, 3), and poses, N or one of each: a structured array with the members of ShapeHit.
+    cast_shape of many motions, shape (N, 3), in the world and the unit of the coordinates, and poses, N or one of each: a structured array with the members of ShapeHit. Raises Error naming the least query that is asked wrongly.
     """
 
 def overlap_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
@@ -843,31 +853,34 @@ def overlap_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, p
     overlap for many poses, on all cores: a bool for each.
 
     Poses are N matrices of the shape (N, 4, 4) or (N, 3, 4), N translations (N, 3), N poses of scipy or toccata, or one for
-    all; a and b are one shape, or a list of N. Entry i is what overlap answers for pose i, whatever the number of threads. Raises Error naming the least query that
-    is asked wrongly.
+    all; a and b are one shape, or a list of N. Poses are in the world, their lengths in any unit that all have. Arrays of
+    doubles in C order are read as they are, others are converted first. Entry i is what overlap answers for pose i, whatever
+    the number of threads. Raises Error naming the least query that is asked wrongly.
     """
 
 def relation_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    relation for many poses, on all cores: a structured array with the members of Relation, kind and containment as numbers of their enumerations.
+    relation for many poses, in shapes and unit as overlap_each takes them, on all cores: a structured array with the members of Relation, kind and containment as numbers of their enumerations. Raises Error like overlap_each.
     """
 
 def distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    distance for many poses, on all cores: a structured array with the members of Distance.
+    distance for many poses, in shapes as overlap_each takes them, on all cores: a structured array with the members of Distance, in the unit of the coordinates. Raises Error like overlap_each.
     """
 
 def within_distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, tolerance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
-    """within_distance for many poses, on all cores: a bool for each."""
+    """
+    within_distance for many poses, in shapes as overlap_each takes them, on all cores: a bool for each. The tolerance is in the unit of the coordinates. Raises Error like overlap_each, and for a negative tolerance.
+    """
 
 def penetration_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    penetration for many poses, on all cores: a structured array with the members of Penetration.
+    penetration for many poses, in shapes as overlap_each takes them, on all cores: a structured array with the members of Penetration, in the unit of the coordinates. Raises Error like overlap_each, and where it is not defined, as penetration.
     """
 
 def count_contacts_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    How many triangles and faces meet, for many poses: a structured array with triangle_pairs and face_pairs.
+    How many triangles and faces meet, for many poses, in shapes and unit as overlap_each takes them, on all cores: a structured array with triangle_pairs and face_pairs. Raises Error like overlap_each.
     """
 
 class RayHit:
@@ -968,18 +981,19 @@ def nearest_point(point: numpy.typing.ArrayLike, surface: Shape, pose: toccata._
     """
     The nearest point of the surface of a posed shape, also from within.
 
-    The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. Raises Error
-    when a number is not finite, the greatest distance is negative, and for poses as overlap does.
+    The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. In the unit of
+    the coordinates. By the tree of a mesh, the nearest boxes first (N. Roussopoulos, S. Kelley, F. Vincent, "Nearest neighbor
+    queries", 1995). Raises Error when a number is not finite, the greatest distance is negative, and for poses as overlap does.
     """
 
 def nearest_points(point: numpy.typing.ArrayLike, k: int, surface: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf')) -> toccata._typing.Answers:
     """
-    The nearest points of the k nearest elements, the nearest first: a structured array with the members of SurfacePoint.
+    The points that are nearest to one of the shape (3,) in the world, of the k nearest elements, the nearest first: a structured array with the members of SurfacePoint, in the unit of the coordinates. Raises Error like nearest_point.
     """
 
 def nearest_point_each(points: numpy.typing.ArrayLike, surface: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
     """
-    nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint.
+    nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint, in the unit of the coordinates. Raises Error like nearest_point, naming the point.
     """
 
 class Side(enum.IntEnum):
@@ -1083,7 +1097,7 @@ class WindingNumber:
 
 def signed_distance(point: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic) -> SignedDistance:
     """
-    How far a point is from the surface of a posed shape, negative inside.
+    How far a point, shape (3,) in the world, is from the surface of a posed shape, negative inside.
 
     The side is exact of closed meshes and of shapes that are none; of an open mesh it is that of the generalised winding
     number (A. Jacobson and others, 2013). In the unit of the coordinates. Raises Error when a number is not finite, or an open
@@ -1092,22 +1106,22 @@ def signed_distance(point: numpy.typing.ArrayLike, shape: Shape, pose: toccata._
 
 def signed_distance_each(points: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance.
+    signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance, in the unit of the coordinates. Raises Error like signed_distance, naming the point.
     """
 
 def locate(point: numpy.typing.ArrayLike, solid: Shape, pose: toccata._typing.PoseLike | None = None) -> tuple[Side, int]:
     """
-    Where a point lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error for an open mesh.
+    Where a point, shape (3,) in the world, lies relative to a closed mesh, exactly, and how often the surface winds around it. Raises Error for an open mesh, and when a number is not finite.
     """
 
 def generalized_winding_number(point: numpy.typing.ArrayLike, mesh: Shape, pose: toccata._typing.PoseLike | None = None, tolerance: float = 0.01) -> WindingNumber:
     """
-    How much of the sphere of directions around a point a mesh covers: about 1 inside, 0 outside, and between where holes are. Off by at most the tolerance, as an interval. Raises Error for what is no mesh.
+    How much of the sphere of directions around a point, shape (3,) in the world, a mesh covers: about 1 inside, 0 outside, and between where holes are. Off by at most the tolerance, a number without unit, as an interval (A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", 2013). Raises Error for what is no mesh, and when a number is not finite.
     """
 
 def generalized_winding_number_each(points: numpy.typing.ArrayLike, mesh: Shape, pose: toccata._typing.PoseLike | None = None, tolerance: float = 0.01, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    The same of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber.
+    generalized_winding_number of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber. Raises Error like it, naming the point.
     """
 
 def cast_ray(origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, target: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic) -> RayHit:
@@ -1115,13 +1129,13 @@ def cast_ray(origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, tar
     Where the ray from origin to origin + motion first meets the posed shape; both of the shape (3,), in the world.
 
     lower and upper are fractions of the way, from 0 to 1: a ray ends at origin + motion. No ray passes between two triangles
-    that share an edge. A solid is met at once from within; Solid.none asks its surface. Raises Error when a number is not
-    finite or the motion is zero.
+    that share an edge. A solid is met at once from within; Solid.none asks its surface. Lengths are in the unit of the
+    coordinates. Raises Error when a number is not finite or the motion is zero.
     """
 
 def cast_ray_each(origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, target: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    cast_ray of many rays, origins and motions of the shape (N, 3), on all cores: a structured array with the members of RayHit.
+    cast_ray of many rays, origins and motions of the shape (N, 3) in the world and the unit of the coordinates, on all cores: a structured array with the members of RayHit. Raises Error like cast_ray, naming the ray.
     """
 
 class IntersectionKind(enum.IntEnum):
@@ -1141,21 +1155,23 @@ def contacts(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None,
     All pairs of triangles, or of other elements, that have a point in common; exact and in order.
 
     A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
-    shape inside a solid mesh that does not touch its surface has none: ask relation. Raises Error like overlap.
+    shape inside a solid mesh that does not touch its surface has none: ask relation. Two triangles by T. Möller, "A fast
+    triangle-triangle intersection test", 1997, in exact signs. Shapes are where their poses put them in the world, in any unit.
+    Raises Error like overlap.
     """
 
 def contacts_with_points(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 1) -> toccata._typing.Answers:
     """
-    The same, with the points in which the triangles meet.
+    contacts, with the points in which the triangles meet.
 
     The array has a field more, points of the shape (6, 3): of each row the first point_count points are the corners of what
-    the triangles have in common, in the world, every number the nearest double; the others are 0. Where a shape is no mesh
-    there are none: ask manifold.
+    the triangles have in common, in the world and the unit of the coordinates, every number the nearest double; the others are
+    0. Where a shape is no mesh there are none: ask manifold. Raises Error like overlap.
     """
 
 def contacts_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    contacts of many, on all cores: one structured array of all, in order, with the fields of contacts and before them query, which says of which question a row is.
+    contacts of many, in shapes and unit as overlap_each takes them, on all cores: one structured array of all, in order, with the fields of contacts and before them query, which says of which question a row is. Raises Error like overlap_each.
     """
 
 def contact_regions(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> toccata._typing.Answers:
@@ -1164,22 +1180,25 @@ def contact_regions(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None 
 
     One region is one connected part that two solids have in common, or one curve or area in which surfaces meet. The fields
     are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, area, normal (from A
-    to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point). Only the counts, closed and the
-    bounds of the depth are exact. Raises Error like overlap, and for what is no mesh or height field.
+    to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and the unit of
+    the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for what is
+    no mesh or height field.
     """
 
 def contact_regions_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    contact_regions of many, on all cores: one structured array of all, in order, whose field query says of which question a row is.
+    contact_regions of many, in shapes as overlap_each takes them, on all cores: one structured array of all, in order, whose field query says of which question a row is; in the unit of the coordinates. Raises Error like contact_regions, naming the query.
     """
 
 def self_contacts(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
     """
-    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with triangle_a the lesser. Exact. Raises Error for what is no mesh.
+    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with triangle_a the lesser. Exact, in any unit. Raises Error for what is no mesh, and for a pose that is not finite.
     """
 
 def self_overlap(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> bool:
-    """Whether a mesh intersects itself. Exact."""
+    """
+    Whether a mesh intersects itself. Exact, in any unit. Raises Error like self_contacts.
+    """
 
 class Manifold:
     """
@@ -1211,16 +1230,18 @@ def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None,
     """
     Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.
 
-    Empty exactly when they are apart. Raises Error where it is not defined, as of meshes: there is one for each contact.
+    Empty exactly when they are apart. In the world and the unit of the coordinates. Raises Error like overlap, and where it is
+    not defined, as of meshes: there is one for each contact.
     """
 
 class MoverOptions:
     """
     How a character moves (move_character). Lengths are in the unit of the coordinates.
 
-    up: a vector of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the steepest ground
-    that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
-    is looked for. max_slides: how often the way may bend in one step.
+    up: a vector in the world, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
+    steepest ground that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
+    is looked for. max_slides: how often the way may bend in one step. Options out of range are told by move_character, which
+    raises Error.
     """
 
     def __init__(self, *, up: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), skin: float = 0.01, max_slope_degrees: float = 45.0, step_height: float = 0.3, snap_distance: float = 0.3, max_slides: int = 8) -> None: ...
@@ -1247,14 +1268,15 @@ class MoverOptions:
 
 def velocity_along(velocity: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike) -> toccata._typing.Floats:
     """
-    The vector nearest to `velocity`, shape (3,), that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a number that is not finite.
+    The vector nearest to `velocity`, shape (3,), in its unit and frame, that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a number that is not finite.
     """
 
 class SceneInstance:
     """
     A shape at its place, as one of many.
 
-    What it is called is for messages; two of one group that is not empty are not checked against each other (check_all).
+    The pose is in the world. What it is called is for messages; two of one group that is not empty are not checked against each
+    other (check_all). Raises Error for what is no pose.
     """
 
     def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, solid: Solid = Solid.automatic, name: str = '', group: str = '') -> None: ...
@@ -1453,7 +1475,8 @@ class SceneIndex:
 
     Made of a list of shapes, pairs (shape, pose) and SceneInstances. Each answer is what the question of that name gives for
     every one of them by itself. Objects are told by their index in the list; `only`, an array of as many truths, says which
-    are asked. Questions may be asked from many threads at once. Raises Error naming the object that cannot be posed so.
+    are asked, and what is asked is in the world. Lengths are in the unit of the coordinates. Questions may be asked from many
+    threads at once. Raises Error naming the object that cannot be posed so.
     """
 
     def __init__(self, objects: toccata._typing.ObjectsLike) -> None: ...
@@ -1469,65 +1492,67 @@ class SceneIndex:
 
     def cast_ray(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> SceneRayHit | None:
         """
-        The first of all that the ray from origin to origin + motion meets, both of the shape (3,), or None, which is proved. As cast_ray of one shape.
+        The first of all that the ray from origin to origin + motion meets, both of the shape (3,) in the world, or None, which is proved. As cast_ray of one shape, in the unit of the coordinates. Raises Error like it.
         """
 
     def cast_ray_through(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> toccata._typing.Answers:
         """
-        Where the ray meets each of them first, in order: a structured array with the members of what cast_ray returns.
+        Where the ray from origin to origin + motion, both of the shape (3,) in the world, meets each of them first, in order: a structured array with the members of what cast_ray returns, in the unit of the coordinates. Raises Error like cast_ray.
         """
 
     def cast_ray_each(self, origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, *, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found.
+        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found; in the unit of the coordinates. Raises Error like cast_ray, naming the ray.
         """
 
     def cast_shape(self, shape: Shape, motion: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> SceneShapeHit | None:
         """
-        The first of all that the shape, which is A, meets on its way, or None, which is proved. As cast_shape of two.
+        The first of all that the shape, which is A, meets on its way from its pose by motion, shape (3,) in the world, or None, which is proved. As cast_shape of two, in the unit of the coordinates. Raises Error like it.
         """
 
     def cast_shape_each(self, shapes: toccata._typing.ShapesLike, motions: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N: a structured array with the members of what cast_shape returns, and found.
+        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N, on all cores: a structured array with the members of what cast_shape returns, and found; in the unit of the coordinates. Raises Error like cast_shape, naming the query.
         """
 
     def overlapping(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
-        """Which of them have a point in common with the shape, ascending. Exact."""
+        """
+        Which of them have a point in common with the shape at its pose in the world, ascending. Exact, in any unit. Raises Error like overlap.
+        """
 
     def relations(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
         """
-        The same, and how: the shape is A. A structured array with the members of Relation and which it is.
+        overlapping, and how: the shape is A. A structured array with the members of Relation and which it is, in any unit. Raises Error like overlap.
         """
 
     def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
         """
-        Which of them are at most so far from the shape, ascending. Decided exactly.
+        Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. Decided exactly. Raises Error like within_distance.
         """
 
     def overlapping_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        overlapping of one shape or N, at one pose or N: one structured array of all that was found, in order, whose field query says of which question a row is.
+        overlapping of one shape or N, at one pose or N, on all cores: one structured array of all that was found, in order, whose field query says of which question a row is. In any unit. Raises Error like overlap, naming the query.
         """
 
     def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        within of one shape or N, at one pose or N: a structured array as that of overlapping_each.
+        within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array as that of overlapping_each. Raises Error like within_distance, naming the query.
         """
 
     def nearest(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None) -> SceneDistance | None:
         """
-        The nearest of all to the shape, which is A, as distance tells it of two; None where none is within the greatest distance, which is decided exactly.
+        The nearest of all to the shape, which is A, as distance tells it of two, in the unit of the coordinates; None where none is within the greatest distance, which is decided exactly. Raises Error like distance, and for a greatest distance that is negative.
         """
 
     def nearest_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
+        nearest of one shape or N, at one pose or N, on all cores: a structured array with the members of what nearest returns, and found; in the unit of the coordinates. Raises Error like nearest, naming the query.
         """
 
     def move_character(self, shape: Shape, start: SceneMoverState, motion: numpy.typing.ArrayLike, options: MoverOptions = ..., *, only: numpy.typing.ArrayLike | None = None, moved: Sequence[tuple[int, toccata._typing.PoseLike | None]] | None = None) -> SceneMoverStep:
         """
-        One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
+        One step of a character: a convex shape goes from a state by `motion`, shape (3,) in the world and the unit of the coordinates, as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
         """
 
 class SceneMoverContact:
@@ -1553,7 +1578,7 @@ class SceneMoverContact:
 
 class SceneMoverState:
     """
-    Where a character is: all that is known of it from one step to the next.
+    Where a character is: all that is known of it from one step to the next. Its pose is in the world. Raises Error for what is no pose.
     """
 
     def __init__(self, pose: toccata._typing.PoseLike | None = None, ground: SceneMoverContact | None = None) -> None: ...
@@ -1720,13 +1745,13 @@ def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, p
     The objects are shapes, pairs (shape, pose), or SceneInstances. On request the contacts of each pair, how deep they overlap
     (brackets as narrow as the precision, a fraction), and with a clearance how far apart they are. pair_clearances, a list of
     (a, b, length), says others for some. volume asks how much they have in common; overlaps that are certainly no deeper than
-    the tolerance are told to be within it. Which pairs is exact. On all cores, without the lock; Ctrl-C ends it. Raises Error
-    naming the object that is asked about wrongly.
+    the tolerance are told to be within it. Lengths are in the unit of the coordinates. Which pairs is exact. On all cores,
+    without the lock; Ctrl-C ends it. Raises Error naming the object that is asked about wrongly.
     """
 
 def self_contacts_each(objects: toccata._typing.ObjectsLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, and object, which says whose contact a row is.
+    Where each of many posed meshes intersects itself, on all cores: a structured array as that of self_contacts, and object, which says whose contact a row is. In any unit. Raises Error like self_contacts, naming the object.
     """
 
 class Contact:
@@ -1821,13 +1846,14 @@ def depth_bracket(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = 
     """
     penetration, as narrow as asked: upper <= (1 + precision) * lower, or the bracket tells why not.
 
-    time_limit: seconds, after which nothing new is begun; the answer depends on the machine then, as nothing else does. Raises
-    Error like penetration, and for a precision or a limit that is not above 0.
+    In the unit of the coordinates; direction and points are in the world. time_limit: seconds, after which nothing new is begun;
+    the answer depends on the machine then, as nothing else does. Raises Error like penetration, and for a precision or a limit
+    that is not above 0.
     """
 
 def depth_bracket_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, precision: float = 0.02, time_limit: float = float('inf'), solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    depth_bracket of many, on all cores: a structured array with the members of DepthBracket. The time limit is that of each.
+    depth_bracket of many, in shapes as overlap_each takes them, on all cores: a structured array with the members of DepthBracket, in the unit of the coordinates. The time limit is that of each. Raises Error like depth_bracket, naming the query.
     """
 
 class OverlapVolume:
@@ -1861,8 +1887,9 @@ def overlap_volume(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None =
     """
     How much volume two solids have in common, as a bracket that holds the exact number.
 
-    Of closed meshes, boxes and hulls it is as narrow as rounding; of what is round some thousandths wide. Raises Error like
-    overlap, and where one is a surface, and for two half-spaces.
+    In the third power of the unit of the coordinates. Of closed meshes, boxes and hulls it is as narrow as rounding; of what is
+    round some thousandths wide. Signs that are 0 are decided by H. Edelsbrunner, E. P. Mücke, "Simulation of simplicity", 1990.
+    Raises Error like overlap, and where one is a surface, and for two half-spaces.
     """
 
 class ModelManifold(Manifold):
@@ -1880,49 +1907,53 @@ def manifolds(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None
     """
     Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
 
-    What slides over a surface does not catch on its inner edges. Empty exactly when they are apart, but for two half-spaces and
-    for what lies wholly within where no penetration is defined. Raises Error like overlap.
+    What slides over a surface does not catch on its inner edges: normals are of the Voronoi regions of the mesh (M. Lin,
+    J. Canny, "A fast algorithm for incremental distance calculation", 1991). In the world and the unit of the coordinates. Empty
+    exactly when they are apart, but for two half-spaces and for what lies wholly within where no penetration is defined. Raises
+    Error like overlap.
     """
 
 def manifold_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, threads: int = 0) -> tuple[numpy.typing.NDArray[numpy.int32], toccata._typing.Floats, toccata._typing.Floats, toccata._typing.Floats]:
     """
-    manifold of many, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which the first `count` of each are points and the others 0.
+    manifold of many, in shapes as overlap_each takes them, on all cores: counts (N,), normals (N, 3), positions (N, 4, 3) and depths (N, 4), of which the first `count` of each are points and the others 0; in the unit of the coordinates. Raises Error like manifold, naming the query.
     """
 
 def first_contact(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Contact | None:
     """
-    The least of contacts, without the others; None where there is none. Raises Error like overlap.
+    The least of contacts, without the others; None where there is none. In any unit. Raises Error like overlap.
     """
 
 def distance_within_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, limit: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    distance_within of many, on all cores: a structured array with the members of Distance, and found.
+    distance_within of many, in shapes as overlap_each takes them, on all cores: a structured array with the members of Distance, and found; in the unit of the coordinates. Raises Error like distance_within, naming the query.
     """
 
 def faces_in_box(shape: Shape, lower: numpy.typing.ArrayLike, upper: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
     """
     What of a posed shape has a point in common with a closed box of the world, by its least and its greatest corner.
 
-    A structured array: element and face, ascending. Exact, touching included; of a mesh its triangles are asked about, so a box
-    deep inside finds none. Raises Error when the box is empty or not finite, and for poses as overlap does.
+    Corners of the shape (3,), in the unit of the coordinates. A structured array: element and face, ascending. Exact, touching
+    included; of a mesh its triangles are asked about, so a box deep inside finds none. Raises Error when the box is empty or not finite, and for poses as overlap does.
     """
 
 def faces_in_ball(shape: Shape, centre: numpy.typing.ArrayLike, radius: float, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
-    """The same of a closed ball, whose radius may be 0."""
+    """
+    faces_in_box of a closed ball of the world, its centre of the shape (3,), whose radius may be 0, in the unit of the coordinates. Raises Error when the radius is negative or a number is not finite, and for poses as overlap does.
+    """
 
 def faces_in_region_each(shape: Shape, *, boxes: numpy.typing.ArrayLike | None = None, centres: numpy.typing.ArrayLike | None = None, radii: numpy.typing.ArrayLike | None = None, pose: toccata._typing.PoseLike | None = None, threads: int = 0) -> toccata._typing.Answers:
     """
-    faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or N, on all cores: one structured array of all, in order, whose field query says of which region a row is.
+    faces_in_box of many boxes, shape (N, 2, 3), or faces_in_ball of many balls, centres (N, 3) and one radius or N, in the world and the unit of the coordinates, on all cores: one structured array of all, in order, whose field query says of which region a row is. Raises Error like these, naming the region, and for boxes and balls at once.
     """
 
 def nearest_points_each(points: numpy.typing.ArrayLike, k: int, objects: toccata._typing.ObjectsLike, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
     """
-    Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured array, the nearest first of each, with query, object and the members of SurfacePoint. Raises Error naming the point.
+    Of many points, shape (N, 3), the k nearest elements of all objects together, on all cores: one structured array, the nearest first of each, with query, object and the members of SurfacePoint; in the world and the unit of the coordinates. Raises Error naming the point.
     """
 
 def scene_signed_distance_each(points: numpy.typing.ArrayLike, objects: toccata._typing.ObjectsLike, sign_by: SignBy = SignBy.automatic, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    How far many points, shape (N, 3), are from the nearest surface of all objects, negative inside one of them: a structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the first object that the point is inside of.
+    How far many points, shape (N, 3), are from the nearest surface of all objects, negative inside one of them: a structured array with object, whose surface it is, the members of SignedDistance, inside, and inside_of, the first object that the point is inside of; in the world and the unit of the coordinates. Raises Error like signed_distance, naming the point.
     """
 
 class MeshFaultKind(enum.IntEnum):
@@ -1966,7 +1997,7 @@ class MeshFault:
 
 def mesh_faults(mesh: Shape) -> list[MeshFault]:
     """
-    Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it says.
+    Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it says. Raises Error for what is no Mesh.
     """
 
 class MeshRepair:
@@ -2003,27 +2034,27 @@ class MeshRepair:
 
 def close_mesh(mesh: Mesh, gap: float) -> tuple[Mesh, MeshRepair]:
     """
-    Another mesh with the gaps closed that are no wider than `gap`, in the unit of the coordinates, and what was done: vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. What is no boundary stays as it is. Raises Error when the gap is not positive and finite.
+    Another mesh with the gaps closed that are no wider than `gap`, in the unit of the coordinates, and what was done: vertices of the boundary within it of each other become one, and holes are filled that are somewhere no wider. What is no boundary stays as it is. Raises Error for what is no Mesh, and when the gap is not positive and finite.
     """
 
 def closing_gap(mesh: Shape) -> float | None:
     """
-    A gap by which close_mesh closes the mesh, at most twice the least of some that are tried; 0 of a closed one, None where none does.
+    A gap by which close_mesh closes the mesh, in the unit of the coordinates, at most twice the least of some that are tried; 0 of a closed one, None where none does. Raises Error for what is no Mesh.
     """
 
 def mesh_parts(mesh: Shape) -> toccata._typing.Indices:
     """
-    To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected through vertices, of equal coordinates taken as one.
+    To which part of the mesh each triangle belongs, shape (M,): triangles are of one where they are connected through vertices, of equal coordinates taken as one. Raises Error for what is no Mesh.
     """
 
 def hull_of_half_spaces(half_spaces: Sequence[HalfSpace]) -> ConvexHull:
     """
-    The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles. Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no end.
+    The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, in the unit of the coordinates. Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no end.
     """
 
 def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), *, field_of_view: float = 60.0, aspect: float = 1.0, nearest: float = 0.1, farthest: float = 1000.0) -> ConvexHull:
     """
-    The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in degrees; aspect, its width over its height; nearest and farthest, in the unit of the coordinates. What it overlaps is in view. Raises Error that names a number out of range.
+    The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in degrees; aspect, its width over its height; nearest and farthest, in the unit of the coordinates. eye, direction and up have the shape (3,), in the world. What it overlaps is in view. Raises Error that names a number out of range.
     """
 
 def load_scene(path: str, unit: str | None = None, *, scale: float = 1.0, split: bool = False) -> list[SceneInstance]:
@@ -2037,19 +2068,22 @@ class RigidMotion:
 
     At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
     counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-    rests. Lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not finite.
+    rests. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+    finite.
     """
 
     def __init__(self, start: toccata._typing.PoseLike | None = None, translation: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), turns: float = 0.0, axis: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
 
     @staticmethod
     def straight(start: toccata._typing.PoseLike | None, translation: numpy.typing.ArrayLike) -> RigidMotion:
-        """Straight on, without a turn."""
+        """
+        Straight on from a pose by a translation, shape (3,), in the world and the unit of the coordinates, without a turn. Raises Error when a number is not finite.
+        """
 
     @staticmethod
     def between(start: toccata._typing.PoseLike | None, end: toccata._typing.PoseLike | None, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> RigidMotion:
         """
-        From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape turns about it the shorter way at an even speed. Raises Error when no turn leads from one to the other.
+        From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape turns about it the shorter way at an even speed. The centre has the shape (3,), in the unit of the coordinates. Raises Error when no turn leads from one to the other.
         """
 
     @staticmethod
@@ -2061,13 +2095,13 @@ class RigidMotion:
     @staticmethod
     def through(times: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> RigidMotion:
         """
-        Through poses at times that ascend from 0 to 1, as between each and the next.
+        Through poses at times, shape (N,), that ascend from 0 to 1, as between each and the next; the centre in the unit of the coordinates. Raises Error like between, and for other times.
         """
 
     @staticmethod
     def of(pose_at: Callable[[float], toccata._typing.PoseLike], *, speed: float, turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) -> RigidMotion:
         """
-        Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: the speed of the point `centre` of the shape's own frame, in the unit of the coordinates, and how fast it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all such motions. The function is asked from any thread, with the interpreter's lock, and has to return the same for the same time; what it raises comes out of the question. Raises Error when a bound is negative or not finite.
+        Any motion: where the shape is, told by a function of the time from 0 to 1, and what it never exceeds: the speed of the point `centre`, shape (3,), of the shape's own frame, in the unit of the coordinates, and how fast it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all such motions. The function is asked from any thread, with the interpreter's lock, and has to return the same for the same time; what it raises comes out of the question. Raises Error when a bound is negative or not finite.
         """
 
     def at(self, time: float) -> Pose:
@@ -2077,7 +2111,7 @@ class RigidMotion:
 
     def carrying(self, fixed: toccata._typing.PoseLike) -> RigidMotion:
         """
-        How something moves that is fixed to the shape: placed by a pose in its frame.
+        How something moves that is fixed to the shape: placed by a pose in its frame. Raises Error for what is no pose.
         """
 
     @property
@@ -2091,27 +2125,29 @@ def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: to
     When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
 
     Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
-    coordinates; negative: when they are so deep in each other. Raises Error like cast_shape.
+    coordinates; negative: when they are so deep in each other. By conservative advancement (B. Mirtich, "Impulse-based dynamic
+    simulation of rigid body systems", 1996) with bounds of each box of a tree (M. Tang, Y. J. Kim, D. Manocha, "C2A: controlled
+    conservative advancement", 2009). Raises Error like cast_shape.
     """
 
 def sweep_each(a: Shape, motions_a: Sequence[RigidMotion], b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    sweep of many motions of A, on all cores: a structured array with the members of ShapeHit. Raises Error naming the motion.
+    sweep of many motions of A, in the unit of the coordinates, on all cores: a structured array with the members of ShapeHit. Raises Error naming the motion.
     """
 
 def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: float = 0.0, max_parts: int = 1024, solid: Solid = Solid.automatic) -> tuple[Shape, float]:
     """
-    A shape, in the world, that contains all that a body passes, and how far outside of it it reaches at most; both proved. excess: how far it may reach, 0: a 32nd of the body's diagonal.
+    A shape, in the world, that contains all that a body passes, and how far outside of it it reaches at most; both proved. excess: how far it may reach, in the unit of the coordinates, 0: a 32nd of the body's diagonal. Raises Error for a negative excess, and for what has no end.
     """
 
 def vertex_face_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40.
+    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40 (the cubic: X. Provot, "Collision and self-collision handling in cloth model dedicated to design garments", 1997). Raises Error for other shapes, and when a number is not finite.
     """
 
 def edge_edge_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    The same of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other.
+    vertex_face_impacts of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other, in any unit. Raises Error like it.
     """
 
 class FeatureKind(enum.IntEnum):
@@ -2169,7 +2205,7 @@ class DeformingMesh:
     """
     A mesh over one step, in which every vertex moves straight on: continuous collision of meshes that deform.
 
-    At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end` is where it starts. Questions are asked
+    At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end`, shape (N, 3), is where it starts. Questions are asked
     of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting
     is contact, exactly, or to be at most `separation` apart, in the unit of the coordinates. `starts_free` promises that nothing
     meets at the start, which saves time. Answers do not depend on threads. Raises Error for another number of ends than of
@@ -2185,7 +2221,7 @@ class DeformingMesh:
 
     def advance(self, end: numpy.typing.ArrayLike, *, threads: int = 1) -> None:
         """
-        The next step: what was the end is the start. Raises Error like move_to.
+        The next step to an end of the shape (N, 3): what was the end is the start. Raises Error like move_to.
         """
 
     @property
@@ -2271,7 +2307,8 @@ class Body:
     A shape at its place in a World, and what is to be told of it.
 
     Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
-    sum of their margins apart: lengths in the unit of the coordinates.
+    sum of their margins apart: lengths in the unit of the coordinates. The pose is in the world. Raises Error for what is no
+    pose; the rest is looked at by World.add.
     """
 
     def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> None: ...
@@ -2306,7 +2343,7 @@ class Body:
     def __repr__(self) -> str: ...
 
 class BodyFilter:
-    """Which bodies of a World are asked."""
+    """Which bodies of a World are asked. Raises Error for what is no BodyId."""
 
     def __init__(self, *, mask: int = 18446744073709551615, group: int = 0, except_bodies: toccata._typing.BodiesLike | None = None) -> None:
         """
@@ -2315,7 +2352,7 @@ class BodyFilter:
 
 class WorldPairs:
     """
-    Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array has a field pair, that counts the rows of pairs.
+    Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array has a field pair, that counts the rows of pairs. Lengths are in the unit of the coordinates.
     """
 
     def __len__(self) -> int: ...
@@ -2349,7 +2386,9 @@ class WorldPairs:
         """pair and the fields of contacts, if asked for."""
 
     def manifold(self, pair: int) -> Manifold | None:
-        """Its manifold, if asked for and defined."""
+        """
+        Its manifold, if asked for and defined, in the world. Raises Error for a number that no pair has.
+        """
 
     def __repr__(self) -> str: ...
 
@@ -2550,8 +2589,8 @@ class World:
     The options say what is told of every pair, besides that it is one; each costs what the question of that name costs.
     kinematic_pairs: whether two kinematic bodies, and a kinematic and a static one, make pairs. space_time: pairs that cannot
     meet for some steps are not looked at in these. Which pairs is exact, and the same on any number of threads. Questions
-    about the bodies where they are now need no step; `only` is a BodyFilter. A World may be used from many threads, one after the
-    other.
+    about the bodies where they are now need no step; `only` is a BodyFilter. Lengths are in the unit of the coordinates. A World
+    may be used from many threads, one after the other. Raises Error for a broad phase that there is not.
     """
 
     def __init__(self, *, relation: bool = False, distance: bool = False, contacts: bool = False, manifold: bool = False, penetration: bool = False, kinematic_pairs: bool = True, space_time: bool = False, broad_phase: str = 'auto', threads: int = 1) -> None: ...
@@ -2562,12 +2601,12 @@ class World:
     @overload
     def add(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> BodyId:
         """
-        The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no length and for a pose that its shape may not have.
+        The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no length and for a pose that its shape may not have. The pose is in the world, the margin in the unit of the coordinates.
         """
 
     def add_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, margins: numpy.typing.ArrayLike = 0.0, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615) -> toccata._typing.Answers:
         """
-        Adds one shape at many poses, or as many shapes; the array of their ids (index, generation, world), in order.
+        Adds one shape at many poses, or as many shapes, with one margin or as many, shape (N,), in the unit of the coordinates; the array of their ids (index, generation, world), in order. Raises Error like add.
         """
 
     def remove(self, bodies: toccata._typing.BodiesLike) -> None:
@@ -2577,25 +2616,27 @@ class World:
 
     def move(self, bodies: toccata._typing.BodiesLike, poses: toccata._typing.PosesLike) -> None:
         """
-        Gives bodies other poses, however far: as many poses as bodies, or one. Raises Error as add does.
+        Gives bodies other poses in the world, however far: as many poses as bodies, or one. Raises Error as add does, and naming an id that is of no body here.
         """
 
     def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | Sequence[RigidMotion]) -> None:
         """
-        Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels.
+        Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels. Raises Error like move.
         """
 
     def replace(self, id: BodyId, body: Body) -> None:
-        """Makes a body into another one, all of it; its id and rules stay."""
+        """
+        Makes a body into another one, all of it; its id and rules stay. Raises Error like add, and naming an id that is of no body here.
+        """
 
     def set_rule(self, a: BodyId, b: BodyId, *, excluded: bool = False, margin: float | None = None) -> None:
         """
-        What is said about two bodies in particular: that they never make a pair, or another margin than the sum of theirs. A rule that says nothing ends an earlier one.
+        What is said about two bodies in particular: that they never make a pair, or another margin than the sum of theirs, in the unit of the coordinates. A rule that says nothing ends an earlier one. Raises Error naming an id that is of no body here, and for a margin that is no length.
         """
 
     def exclude(self, a: toccata._typing.BodiesLike, b: toccata._typing.BodiesLike) -> None:
         """
-        Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays.
+        Pairs (a[i], b[i]) that are never told: an allowed-collision list, as arrays of ids, shape (N,). Raises Error naming an id that is of no body here.
         """
 
     def step(self) -> WorldStep:
@@ -2615,12 +2656,12 @@ class World:
 
     def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None:
         """
-        The same of pairs that are at most so far apart, decided exactly. Raises Error for what is no length.
+        any_contact of pairs that are at most so far apart, in the unit of the coordinates, decided exactly. Raises Error for what is no length.
         """
 
     def least_distance(self, max_distance: float = float('inf')) -> tuple[BodyId, BodyId, Distance] | None:
         """
-        The nearest two of the bodies that make pairs, and their distance as of A and B in this order; None where none is within the greatest distance.
+        The nearest two of the bodies that make pairs, and their distance as of A and B in this order, in the unit of the coordinates; None where none is within the greatest distance. Raises Error for one that is no length.
         """
 
     @property
@@ -2653,65 +2694,67 @@ class World:
 
     def cast_ray(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> BodyRayHit | None:
         """
-        The first of all that the ray from origin to origin + motion meets, both of the shape (3,), or None, which is proved. As cast_ray of one shape.
+        The first of all that the ray from origin to origin + motion meets, both of the shape (3,) in the world, or None, which is proved. As cast_ray of one shape, in the unit of the coordinates. Raises Error like it.
         """
 
     def cast_ray_through(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> toccata._typing.Answers:
         """
-        Where the ray meets each of them first, in order: a structured array with the members of what cast_ray returns.
+        Where the ray from origin to origin + motion, both of the shape (3,) in the world, meets each of them first, in order: a structured array with the members of what cast_ray returns, in the unit of the coordinates. Raises Error like cast_ray.
         """
 
     def cast_ray_each(self, origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, *, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found.
+        cast_ray of many rays, shapes (N, 3), on all cores: a structured array with the members of what cast_ray returns, and found; in the unit of the coordinates. Raises Error like cast_ray, naming the ray.
         """
 
     def cast_shape(self, shape: Shape, motion: numpy.typing.ArrayLike, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> BodyShapeHit | None:
         """
-        The first of all that the shape, which is A, meets on its way, or None, which is proved. As cast_shape of two.
+        The first of all that the shape, which is A, meets on its way from its pose by motion, shape (3,) in the world, or None, which is proved. As cast_shape of two, in the unit of the coordinates. Raises Error like it.
         """
 
     def cast_shape_each(self, shapes: toccata._typing.ShapesLike, motions: numpy.typing.ArrayLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N: a structured array with the members of what cast_shape returns, and found.
+        cast_shape of many motions, shape (N, 3), of one shape or N, at one pose or N, on all cores: a structured array with the members of what cast_shape returns, and found; in the unit of the coordinates. Raises Error like cast_shape, naming the query.
         """
 
     def overlapping(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
-        """Which of them have a point in common with the shape, ascending. Exact."""
+        """
+        Which of them have a point in common with the shape at its pose in the world, ascending. Exact, in any unit. Raises Error like overlap.
+        """
 
     def relations(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
         """
-        The same, and how: the shape is A. A structured array with the members of Relation and which it is.
+        overlapping, and how: the shape is A. A structured array with the members of Relation and which it is, in any unit. Raises Error like overlap.
         """
 
     def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
         """
-        Which of them are at most so far from the shape, ascending. Decided exactly.
+        Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. Decided exactly. Raises Error like within_distance.
         """
 
     def overlapping_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        overlapping of one shape or N, at one pose or N: one structured array of all that was found, in order, whose field query says of which question a row is.
+        overlapping of one shape or N, at one pose or N, on all cores: one structured array of all that was found, in order, whose field query says of which question a row is. In any unit. Raises Error like overlap, naming the query.
         """
 
     def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        within of one shape or N, at one pose or N: a structured array as that of overlapping_each.
+        within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array as that of overlapping_each. Raises Error like within_distance, naming the query.
         """
 
     def nearest(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None) -> BodyDistance | None:
         """
-        The nearest of all to the shape, which is A, as distance tells it of two; None where none is within the greatest distance, which is decided exactly.
+        The nearest of all to the shape, which is A, as distance tells it of two, in the unit of the coordinates; None where none is within the greatest distance, which is decided exactly. Raises Error like distance, and for a greatest distance that is negative.
         """
 
     def nearest_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, max_distance: float = float('inf'), *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
-        nearest of one shape or N, at one pose or N: a structured array with the members of what nearest returns, and found.
+        nearest of one shape or N, at one pose or N, on all cores: a structured array with the members of what nearest returns, and found; in the unit of the coordinates. Raises Error like nearest, naming the query.
         """
 
     def move_character(self, shape: Shape, start: BodyMoverState, motion: numpy.typing.ArrayLike, options: MoverOptions = ..., *, only: BodyFilter | None = None, moved: Sequence[tuple[BodyId, toccata._typing.PoseLike | None]] | None = None) -> BodyMoverStep:
         """
-        One step of a character: a convex shape goes from a state by `motion`, shape (3,), as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
+        One step of a character: a convex shape goes from a state by `motion`, shape (3,) in the world and the unit of the coordinates, as far as these objects let it, and slides along what it meets; nothing tunnels, which is proved. On ground a motion that has no part along `up` is walked, over slopes, up and down steps. `moved` tells what was elsewhere before the step: pairs (object, pose before). Raises Error when a number is not finite, the shape is of another kind, or an object is not here.
         """
 
 class BodyMoverContact:
@@ -2737,7 +2780,7 @@ class BodyMoverContact:
 
 class BodyMoverState:
     """
-    Where a character is: all that is known of it from one step to the next.
+    Where a character is: all that is known of it from one step to the next. Its pose is in the world. Raises Error for what is no pose.
     """
 
     def __init__(self, pose: toccata._typing.PoseLike | None = None, ground: BodyMoverContact | None = None) -> None: ...
@@ -2807,26 +2850,33 @@ class BodyMoverStep:
 
 def overlapping_pairs(boxes: numpy.typing.ArrayLike, *, method: str = 'auto', threads: int = 0) -> toccata._typing.Indices:
     """
-    Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. Pairs of indices, shape (K, 2), ascending. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises Error naming a box of which a side is no number.
+    Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. Pairs of indices, shape (K, 2), ascending. In the world and any unit. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises Error naming a box of which a side is no number.
     """
 
 class BroadPhase:
     """
     Boxes that move, and the pairs of them that overlap; touching counts.
 
-    Boxes have the shape (N, 2, 3), and numbers that stay theirs until they are removed. One thread uses it at a time.
+    Boxes have the shape (N, 2, 3), in the world and any unit, and numbers that stay theirs until they are removed. One thread
+    uses it at a time. Raises Error for a method that there is not.
     """
 
     def __init__(self, *, method: str = 'auto', threads: int = 1) -> None: ...
 
     def add(self, boxes: numpy.typing.ArrayLike) -> toccata._typing.Indices:
-        """The numbers given to the boxes, in their order."""
+        """
+        The numbers given to the boxes, shape (N, 2, 3), in their order. Raises Error naming a box of which a side is no number.
+        """
 
     def remove(self, numbers: numpy.typing.ArrayLike) -> None:
-        """Raises Error naming a number that is in use no more."""
+        """
+        Removes boxes by their numbers, shape (N,). Raises Error naming a number that is in use no more.
+        """
 
     def move(self, numbers: numpy.typing.ArrayLike, boxes: numpy.typing.ArrayLike) -> None:
-        """Gives box numbers[i] the place boxes[i]."""
+        """
+        Gives box numbers[i] the place boxes[i], shapes (N,) and (N, 2, 3). Raises Error like add and remove.
+        """
 
     def update(self) -> toccata._typing.Indices:
         """The pairs of the boxes as they are now, shape (K, 2), ascending."""
@@ -2935,8 +2985,9 @@ class RobotJoint:
     How one link of a robot hangs on another, as in URDF.
 
     origin: where the child is in the parent's frame at the position 0, a rotation and a translation. axis: shape (3,), in the
-    child's frame. limits: (lower, upper) of the position, radians or a length. mimic: (joint, multiplier, offset), whose
-    position it follows.
+    child's frame. limits: (lower, upper) of the position, radians or a length in the unit of the coordinates (URDF: metres).
+    mimic: (joint, multiplier, offset), whose position it follows. Raises Error for what is no pose and no axis; what is wrong
+    among joints is told by Robot.
     """
 
     def __init__(self, name: str, kind: RobotJointKind, parent: str, child: str, origin: toccata._typing.PoseLike | None = None, axis: numpy.typing.ArrayLike = (1.0, 0.0, 0.0), limits: tuple[float, float] | None = None, mimic: tuple[str, float, float] | None = None) -> None: ...
@@ -3010,7 +3061,7 @@ class Robot:
     @staticmethod
     def from_urdf(path: str, packages: Sequence[str] = ()) -> Robot:
         """
-        Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, before the folders that the file lies in. Raises Error naming the file, line and element; warns of sizes that look like another unit, and of links that have a picture alone.
+        Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, before the folders that the file lies in. Lengths are metres. Raises Error naming the file, line and element, and for xacro, which is to be expanded first; warns of sizes that look like another unit, of glTF, whose y axis points up, and of links that have a picture alone.
         """
 
     @staticmethod
@@ -3026,7 +3077,7 @@ class Robot:
 
     def with_attached(self, name: str, shape: Shape, link: str, pose: toccata._typing.PoseLike | None = None, touch_links: Sequence[str] = ()) -> Robot:
         """
-        A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame. It may touch that link and those that are named. Positions stay as they are. Raises Error for links that there are not.
+        A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame, in the unit of the robot. It may touch that link and those that are named. Positions stay as they are. Raises Error for links that there are not.
         """
 
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
@@ -3065,7 +3116,7 @@ class Robot:
 
     def sampled(self, count: int, seed: int = 1) -> toccata._typing.Floats:
         """
-        Random configurations within the limits, shape (count, P); the same for the same seed.
+        Random configurations within the limits, shape (count, P), in radians and the unit of the lengths; the same for the same seed.
         """
 
     def read_configurations(self, path: str) -> toccata._typing.Floats:
@@ -3075,20 +3126,22 @@ class Robot:
 
     def beyond_limits(self, configuration: numpy.typing.ArrayLike) -> int | None:
         """
-        The first position that is beyond its limits, or None. Other questions do not look at limits.
+        The first position of a configuration, shape (P,), that is beyond its limits, or None. Other questions do not look at limits. Raises Error for another shape, and when a number is not finite.
         """
 
     def link_poses(self, configuration: numpy.typing.ArrayLike) -> toccata._typing.Floats:
         """
-        Where the links are in the world at a configuration, shape (P,): matrices, shape (L, 4, 4).
+        Where the links are in the world at a configuration, shape (P,): matrices, shape (L, 4, 4). Raises Error for another shape, and when a number is not finite.
         """
 
     def link_poses_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Floats:
-        """link_poses of many, shape (N, P): matrices, shape (N, L, 4, 4)."""
+        """
+        link_poses of many, shape (N, P), on all cores: matrices in the world, shape (N, L, 4, 4). Raises Error naming the configuration.
+        """
 
     def posed(self, configuration: numpy.typing.ArrayLike) -> list[SceneInstance]:
         """
-        The shapes of the links where a configuration puts them, with names: for show, check_all and SceneIndex.
+        The shapes of the links where a configuration, shape (P,), puts them in the world, with names: for show, check_all and SceneIndex. Raises Error like link_poses.
         """
 
     def srdf_pairs(self, path: str) -> list[tuple[str, str, str]]:
@@ -3262,7 +3315,8 @@ class RobotScene:
     What is said of a configuration is what overlap and distance say of the shapes at the places of Robot.posed, pair by pair:
     exactly, on meshes too. Obstacles are SceneInstances, shapes, or pairs (shape, pose). Pairs of names in `allowed` are not
     looked at, nor, with allow_adjacent, links that a joint joins, nor what an attached object may touch. Answers do not depend
-    on threads. Raises Error for names that there are not, and naming the obstacle that cannot be posed so.
+    on threads. Lengths are in the unit of the coordinates (URDF: metres). Raises Error for names that there are not, and naming
+    the obstacle that cannot be posed so.
     """
 
     def __init__(self, robot: Robot, obstacles: toccata._typing.ObjectsLike = (), *, allowed: toccata._typing.AllowedPairs | None = None, allow_adjacent: bool = True) -> None: ...
@@ -3276,12 +3330,12 @@ class RobotScene:
 
     def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]:
         """
-        What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an obstacle.
+        What the two of an answer, or of a row of an array of answers, are called: a link, and a link or an obstacle. Raises Error for an answer of another scene.
         """
 
     def looks_at(self, link: int, other: int, with_obstacle: bool = False) -> bool:
         """
-        Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle.
+        Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle. Raises Error for a number that there is not.
         """
 
     def __copy__(self) -> RobotScene:
@@ -3295,7 +3349,7 @@ class RobotScene:
 
     def meets(self, configuration: numpy.typing.ArrayLike) -> bool:
         """
-        Does any pair that is looked at have a point in common, at a configuration, shape (P,)? Exact.
+        Does any pair that is looked at have a point in common, at a configuration, shape (P,)? Exact. Raises Error for another shape, and when a number is not finite.
         """
 
     def meets_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Booleans:
@@ -3305,64 +3359,64 @@ class RobotScene:
 
     def contacts(self, configuration: numpy.typing.ArrayLike) -> list[RobotContact]:
         """
-        Which links meet which others at a configuration, shape (P,); ascending. Exact.
+        Which links meet which others at a configuration, shape (P,); ascending. Exact. Raises Error like meets.
         """
 
     def contacts_each(self, configurations: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
         """
-        contacts of many, shape (N, P), on all cores: one structured array of all, in order, with the members of RobotContact and query, which says of which configuration a row is.
+        contacts of many, shape (N, P), on all cores: one structured array of all, in order, with the members of RobotContact and query, which says of which configuration a row is. Raises Error naming the configuration.
         """
 
     def distance(self, configuration: numpy.typing.ArrayLike, max_distance: float = float('inf')) -> RobotDistance | None:
         """
-        The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient; None where there is none within the greatest distance. Raises Error for a greatest distance that is negative.
+        The least distance of all pairs that are looked at, at a configuration, shape (P,), with its gradient, in the unit of the coordinates; None where there is none within the greatest distance. Raises Error like meets, and for a greatest distance that is negative.
         """
 
     def distance_each(self, configurations: numpy.typing.ArrayLike, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
         """
-        distance of many, shape (N, P), on all cores: a structured array with the members of RobotDistance, the gradient of the shape (P,), and found.
+        distance of many, shape (N, P), on all cores: a structured array with the members of RobotDistance, the gradient of the shape (P,), and found; in the unit of the coordinates. Raises Error naming the configuration.
         """
 
     def edge(self, begin: numpy.typing.ArrayLike, end: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07) -> RobotEdge:
         """
-        The straight way from one configuration to another, shapes (P,): free at every moment, or when which two first meet, as a part of the way, told within the precision. Raises Error for one below 2**-40 or above 1.
+        The straight way from one configuration to another, shapes (P,): free at every moment, or when which two first meet, as a part of the way, told within the precision, a part too (conservative advancement: B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996). Raises Error like meets, and for a precision below 2**-40 or above 1.
         """
 
     def edge_each(self, begins: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07, *, threads: int = 0) -> toccata._typing.Answers:
         """
-        edge of many, shapes (N, P), on all cores: a structured array with the members of RobotEdge.
+        edge of many, shapes (N, P), on all cores: a structured array with the members of RobotEdge. Raises Error naming the configuration.
         """
 
     def free_each(self, begins: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, precision: float = 9.5367431640625e-07, *, threads: int = 0) -> toccata._typing.Booleans:
         """
-        Only whether each is free, which is quicker: an array of bools, shape (N,).
+        Only whether each edge, by its ends of the shapes (N, P), is free, which is quicker, on all cores: an array of bools, shape (N,). Raises Error like edge_each.
         """
 
 def point_cloud(points: numpy.typing.ArrayLike, radius: float, name: str = 'cloud') -> SceneInstance:
     """
-    A point cloud as an obstacle: a ball of this radius around each point, shape (N, 3). Raises Error without a point, and for a radius that is not positive.
+    A point cloud as an obstacle: a ball of this radius around each point, shape (N, 3), in the world and the unit of the coordinates. Raises Error without a point, and for a radius that is not positive.
     """
 
 def voxel_map(middles: numpy.typing.ArrayLike, edge: float, name: str = 'voxels') -> SceneInstance:
     """
-    The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube around each middle, shape (N, 3). Raises Error like point_cloud.
+    The occupied cells of a voxel map or an octree, all of one size, as an obstacle: a cube of this edge around each middle, shape (N, 3), in the world and the unit of the coordinates. Raises Error like point_cloud.
     """
 
 def generated_room(boxes: int = 100, meshes: bool = True, seed: int = 1) -> list[SceneInstance]:
     """
-    What stands around Robot.generated(): boxes that are turned any way, and three meshes.
+    What stands around Robot.generated(), in its unit: boxes that are turned any way, and three meshes. Raises Error for more than a million boxes.
     """
 
 class DistanceCache:
     """
-    What is kept of one question of distance for the next about the same two meshes, which have moved little in between. It changes no bit of any answer. It belongs to the first two meshes asked about.
+    What is kept of one question of distance for the next about the same two meshes, which have moved little in between. It changes no bit of any answer. It belongs to the first two meshes asked about. Lengths are in the unit of the coordinates (what holds for a while: J. Basch, J. Erickson, L. Guibas, J. Hershberger, L. Zhang, "Kinetic collision detection between two simple polygons", 1999).
     """
 
     def __init__(self) -> None: ...
 
     def distance(self, a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance:
         """
-        What distance answers, to the last bit. Raises Error like it, and for another mesh than the first time.
+        What distance answers, to the last bit, in the unit of the coordinates. Raises Error like it, and for another mesh than the first time.
         """
 
     def clear(self) -> None:
@@ -3383,7 +3437,8 @@ def view_page(objects: toccata._typing.ObjectsLike, *, title: str = 'Toccata', u
     One self-contained HTML page that shows posed shapes and what check_all finds of them.
 
     It opens from disk in any browser with WebGL 2. up: the axis that points up, 'y' or 'z'. faces: which faces meet, and in what
-    curves; penetration: how deep. Raises Error like check_all.
+    curves; penetration: how deep; clearance: how far apart, in the unit of the coordinates. Raises Error like check_all, and for
+    another axis.
     """
 
 def write_view_page(page: str, path: str) -> None:

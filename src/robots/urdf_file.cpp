@@ -106,6 +106,7 @@ std::size_t open_comment(std::string_view text) {
 class RobotXml {
  public:
   explicit RobotXml(const std::string& path) : path_(path) {
+    if (path.ends_with(".xacro")) throw Error(path + fault_of_macros());
     const io::FileBytes bytes = io::read_file(path);
     text_.assign(bytes.span().begin(), bytes.span().end());
     if (const std::string_view encoding = wide_encoding(text_); !encoding.empty())
@@ -118,6 +119,8 @@ class RobotXml {
     if (root == nullptr || root->ValueStr() != "robot")
       throw Error(fmt::format("{}: its root element is {}, and that of a robot is <robot>", path,
                               root == nullptr ? "missing" : "<" + root->ValueStr() + ">"));
+    if (const TiXmlElement* macro = first_macro(*root))
+      throw error_at(*macro, "<" + macro->ValueStr() + ">" + fault_of_macros());
   }
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -157,6 +160,21 @@ class RobotXml {
   }
 
  private:
+  /// Of what is to be expanded by xacro, a tool of ROS; null where there is none.
+  [[nodiscard]] static const TiXmlElement* first_macro(const TiXmlElement& parent) {
+    for (const TiXmlElement* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      if (e->ValueStr().starts_with("xacro:")) return e;
+      if (const TiXmlElement* within = first_macro(*e)) return within;
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] std::string fault_of_macros() const {
+    const std::string plain = path_.ends_with(".xacro") ? path_.substr(0, path_.rfind('.')) : "expanded.urdf";
+    return fmt::format(": xacro macros are not expanded here; expand them first (`xacro {} > {}`) and give that file",
+                       path_, plain);
+  }
+
   [[nodiscard]] std::string fault_of_comment() const {
     const auto begin = static_cast<std::ptrdiff_t>(open_comment(text_));
     return fmt::format(":{}: the comment that begins here is not closed by -->",

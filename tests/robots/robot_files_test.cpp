@@ -225,6 +225,38 @@ TEST_F(UrdfFile, FaultsOfTheXmlAreToldByTheirLine) {
   EXPECT_TRUE(tells(fault("<robot name=\"a\">\n<link name=\"b\"/>\n</link>\n"), "robot.urdf:3: this is no XML"));
 }
 
+TEST_F(UrdfFile, MacrosAreToBeExpandedFirst) {
+  const std::string text =
+      "<robot name=\"a\" xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<link "
+      "name=\"b\">\n<xacro:shape/></link></robot>\n";
+  const std::string fault = message_of([&] { static_cast<void>(read(text)); });
+  EXPECT_TRUE(
+      tells(fault, "robot.urdf:3: <xacro:shape>: xacro macros are not expanded here; expand them first (`xacro "));
+  const std::string named = folder_.write("arm.urdf.xacro", small_urdf).string();
+  EXPECT_EQ(message_of([&] { static_cast<void>(read_urdf(named)); }),
+            named + ": xacro macros are not expanded here; expand them first (`xacro " + named + " > " +
+                (folder_ / "arm.urdf").string() + "`) and give that file");
+  // Those that were expanded keep the name space.
+  std::string expanded = small_urdf;
+  expanded.replace(expanded.find("<robot"), 6, "<robot xmlns:xacro=\"http://ros.org/wiki/xacro\"");
+  EXPECT_EQ(read(expanded).description.links.size(), 4U);
+}
+
+TEST_F(UrdfFile, NumbersOfGltfAreWarnedOf) {
+  folder_.write("parts/hand.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"byteLength": 36, "uri":
+    "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]})");
+  std::string text = small_urdf;
+  text.replace(text.find("hand.off"), 8, "hand.gltf");
+  const RobotFile file = read(text);
+  EXPECT_TRUE(tells(file.warnings.at(0),
+                    "hand.gltf' is glTF, whose y axis points up by its standard: its numbers are "
+                    "taken as they are"));
+  EXPECT_EQ(mesh_of(file.description.links[2].shapes[0].shape)->vertices()[2], (Vec3{0, 1, 0}));
+}
+
 TEST_F(UrdfFile, OneOfWiderCharactersIsToldAsSuch) {
   std::string wide, wider;
   for (const char c : std::string("<robot name=\"a\"/>")) {

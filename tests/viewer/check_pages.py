@@ -19,6 +19,7 @@ from browser import Browser, find_chromium  # noqa: E402
 from check_crowd import check_crowd, check_crowd_of_methods, check_large_crowd  # noqa: E402
 from check_layers import check_creases, check_layer_calls, check_shown  # noqa: E402
 from check_partitions import check_partitions, check_tracked_cells  # noqa: E402
+from check_robot import check_robot  # noqa: E402
 from check_subdivided import check_subdivided  # noqa: E402
 from check_walk import check_walk  # noqa: E402
 from check_world import check_large_world, check_world  # noqa: E402
@@ -427,7 +428,7 @@ def main():
         folder = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path(name)
         checks = Checks(pathlib.Path(sys.argv[1]).resolve(), folder)
         checks.run("demo", "--write", "scenes")
-        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_crowd, check_crowd_of_methods, check_large_crowd, check_partitions, check_tracked_cells, check_layer_calls, check_creases, check_shown, check_world, check_large_world, check_walk, check_subdivided, check_empty, check_measuring]:
+        for check in [check_contacts, check_view, check_wicked_names, check_many, check_writing, check_large, check_shapes, check_hierarchy, check_rest, check_links, check_turned_names, check_extremes, check_tree, check_narrow, check_case, check_crowd, check_crowd_of_methods, check_large_crowd, check_partitions, check_tracked_cells, check_layer_calls, check_creases, check_shown, check_world, check_large_world, check_walk, check_robot, check_subdivided, check_empty, check_measuring]:
             check(checks, browser)
     print(f"pages: {checks.count} checks, {len(checks.failures)} failures")
     return 1 if checks.failures else 0
