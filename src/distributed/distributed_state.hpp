@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -74,6 +75,31 @@ enum class BodyMessage : std::uint8_t {
   remove,  ///< it is there no more
 };
 
+/// What a rank that has a body has to be told of its place.
+enum class PlaceMessage : std::uint8_t { none, offset, pose, way };
+
+/// What a message about a body begins with, before its id.
+struct BodyHead {
+  BodyMessage message = BodyMessage::move;
+  PlaceMessage place = PlaceMessage::none;  ///< of `put`, which has the pose, none or a way
+  bool is_new_home = false;                 ///< it lives there from now on
+  bool is_deformed = false;                 ///< its mesh is its own
+  bool has_rules = false;
+};
+
+/// Tells the seconds since it was made, or since it told them last.
+class LapClock {
+ public:
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(begin_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+};
+
 /// A pair that the World of this rank tells, whichever rank is to tell it.
 struct LocalPair {
   GlobalPairReport report;
@@ -107,7 +133,14 @@ class DistributedWorld::State {
   void load(const std::filesystem::path& folder);
 
  private:
-  enum class Change : std::uint8_t { none, moved, replaced };
+  /// Each means those before it too.
+  enum class Change : std::uint8_t {
+    none,
+    reach,     ///< it may reach other ranks
+    shifted,   ///< its offset is another
+    moved,     ///< its pose is another
+    replaced,  ///< all of it is
+  };
 
   /// A body in the World of this rank, by its index there.
   struct Copy {
@@ -171,11 +204,10 @@ class DistributedWorld::State {
   void send_where_they_belong(const WantedChanges& changes, Letters& letters);
   void send(BodyId local, Letters& letters);
   void send_new(const GlobalBody& added, const BodyBoxes& boxes, Letters& letters);
-  void put_home(MessageWriter& letter, int to, int home, std::span<const int> holders) const;
-  void put_way(MessageWriter& letter, GlobalId id) const;
-  void put_place(MessageWriter& letter, BodyId local) const;
-  void put_whole(MessageWriter& letter, BodyId local, int to);
-  [[nodiscard]] static std::optional<RigidMotion> get_way(MessageReader& reader);
+  [[nodiscard]] PlaceMessage place_message_of(BodyId local) const;
+  void put_place(MessageWriter& letter, PlaceMessage place, BodyId local) const;
+  void put_whole(MessageWriter& letter, BodyId local, int to, int home, std::span<const int> holders);
+  [[nodiscard]] WantedPlace get_place(MessageReader& reader, PlaceMessage place, GlobalId id) const;
   [[nodiscard]] News read(std::span<const Received> letters);
   void receive(const WantedChanges& changes, std::span<const Received> letters);
   void remove_here(GlobalId id);
@@ -192,6 +224,7 @@ class DistributedWorld::State {
   void require_whole() const;
 
   // Pairs are told by one rank each (pair_tellers.cpp).
+  void make_step(const WantedChanges& changes, LapClock& clock);
   void find_pairs();
   /// What each rank found, and what this one tells of it.
   void tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now);
@@ -200,6 +233,8 @@ class DistributedWorld::State {
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
   void add_details(std::span<GlobalPairReport> pairs) const;
   void count_costs();
+  /// Bodies, ghosts and neighbours, when a step is over.
+  void count_what_is_here();
 
   // Questions (global_queries.cpp).
   /// Each is answered by this rank, and then by those that `may_know(question, box of the rank's bodies, what is

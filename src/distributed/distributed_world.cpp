@@ -97,6 +97,7 @@ bool DistributedWorld::lives_here(GlobalId id) const { return state_->lives_here
 const Body& DistributedWorld::body(GlobalId id) const { return state_->body(id); }
 int DistributedWorld::rank() const { return state_->ranks().rank(); }
 int DistributedWorld::rank_count() const { return state_->ranks().count(); }
+double DistributedWorld::seconds_waited() const { return state_->ranks().seconds_waited(); }
 
 std::vector<std::optional<GlobalAnswer<RayHit>>> DistributedWorld::cast_ray_each(std::span<const Ray> rays) {
   return state_->cast_ray_each(rays);

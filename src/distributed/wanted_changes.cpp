@@ -26,11 +26,11 @@ std::vector<OptionValue> values_of(const DistributedOptions& options) {
       {"most_imbalance", options.most_imbalance}};
 }
 
-/// Of an id that is given or ends, to the rank where it is registered.
-struct Registration {
-  GlobalId id = 0;
-  bool is_new = false;
-};
+/// Goes to the rank where the id is registered, when it is given or ends.
+void put_registration(MessageWriter& letter, GlobalId id, bool is_new) {
+  letter.put(is_new);
+  letter.put_number(id);
+}
 
 /// Throws Error naming the body as the World does that refuses one.
 std::vector<BodyId> added_to(World& world, std::span<const GlobalBody> wanted) {
@@ -161,16 +161,16 @@ int DistributedWorld::State::registrar_of(GlobalId id) const {
 
 void DistributedWorld::State::register_ids(const WantedChanges& changes) {
   Letters letters;
-  for (const GlobalId id : changes.removed) letters[registrar_of(id)].put(Registration{id, false});
-  for (const GlobalBody& added : changes.added) letters[registrar_of(added.id)].put(Registration{added.id, true});
+  for (const GlobalId id : changes.removed) put_registration(letters[registrar_of(id)], id, false);
+  for (const GlobalBody& added : changes.added) put_registration(letters[registrar_of(added.id)], added.id, true);
   std::unordered_set<GlobalId> ended;
   std::vector<std::pair<GlobalId, int>> begun;
   for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();)
-      if (const auto one = reader.get<Registration>(); one.is_new)
-        begun.emplace_back(one.id, received.from);
+      if (reader.get<bool>())
+        begun.emplace_back(reader.get_number(), received.from);
       else
-        ended.insert(one.id);
+        ended.insert(reader.get_number());
   std::unordered_map<GlobalId, int> given;
   ranks_.all_do([&] {
     for (const auto& [id, rank] : begun) {
