@@ -98,6 +98,7 @@ void DistributedWorld::State::go(std::span<const WantedPlace> places) {
 void DistributedWorld::State::remove_here(GlobalId id) {
   const BodyId local = local_.at(id);
   world_.remove(local);
+  if (copy(local).lives_here) cost_of_here_ -= copy(local).cost;
   copy(local) = {};
   local_.erase(id);
   forget_rules(id);
@@ -110,19 +111,19 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
   for (const GlobalBody& deformed : changes.bodies_deformed) {
     const BodyId local = local_.at(deformed.id);
     world_.replace(local, deformed.body);
-    copy(local).change = Change::replaced;
+    note(local, Change::replaced);
     copy(local).is_deformed = true;
   }
   for (const WantedPlace& moved : changes.moved) {
     const BodyId local = local_.at(moved.id);
     const bool turns = moved.motion || !is_same_turn(moved.pose, world_.body(local).pose);
-    copy(local).change = std::max(copy(local).change, turns ? Change::moved : Change::shifted);
+    note(local, turns ? Change::moved : Change::shifted);
   }
   go(changes.moved);
   for (const GlobalBody& replaced : changes.replaced) {
     const BodyId local = local_.at(replaced.id);
     world_.replace(local, replaced.body);
-    copy(local).change = Change::replaced;
+    note(local, Change::replaced);
     copy(local).is_deformed = false;
     ways_.erase(replaced.id);
   }
@@ -136,13 +137,25 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
   follow(changes);
 }
 
+void DistributedWorld::State::note(BodyId local, Change change) {
+  Copy& one = copy(local);
+  if (one.change == Change::none) changed_.push_back(local);
+  one.change = std::max(one.change, change);
+}
+
 double DistributedWorld::State::imbalance_of(const WantedChanges& changes) {
   std::vector<std::uint64_t> loads(static_cast<std::size_t>(ranks_.count()));
   const auto add = [&](const Aabb& box, std::uint64_t cost) {
     loads[static_cast<std::size_t>(space_.part_of(place_of(box)))] += cost;
   };
-  for (const auto& [id, local] : local_)
-    if (copy(local).lives_here) add(world_.box(local), copy(local).cost);
+  // What has not changed is where it was: in this rank's part, unless that is another now.
+  std::uint64_t& here = loads[static_cast<std::size_t>(ranks_.rank())];
+  if (!last_.costs.was_divided) here = cost_of_here_;
+  for (const BodyId local : last_.costs.was_divided ? world_.bodies() : changed_) {
+    if (!copy(local).lives_here) continue;
+    if (!last_.costs.was_divided) here -= copy(local).cost;
+    add(world_.box(local), copy(local).cost);
+  }
   for (const BodyBoxes& boxes : changes.boxes_of_added) add(boxes.own, cost_of_body);
   ranks_.add_up(loads);
   double sum = 0;
@@ -161,7 +174,7 @@ void DistributedWorld::State::divide(const WantedChanges& changes) {
   if (last_.costs.imbalance <= options_.most_imbalance || last_.costs.imbalance <= 1.1 * imbalance_left_) return;
   std::vector<Vec3> places;
   std::vector<std::uint64_t> costs;
-  for (const auto& [id, local] : local_) {
+  for (const BodyId local : world_.bodies()) {
     if (!copy(local).lives_here) continue;
     places.push_back(place_of(world_.box(local)));
     costs.push_back(copy(local).cost);
@@ -248,11 +261,14 @@ void DistributedWorld::State::send_new(const GlobalBody& added, const BodyBoxes&
 }
 
 void DistributedWorld::State::send_where_they_belong(const WantedChanges& changes, Letters& letters) {
+  std::vector<BodyId> changed = std::exchange(changed_, {});
   if (ranks_.count() > 1) {
-    for (const BodyId local : world_.bodies())
-      if (copy(local).lives_here && (last_.costs.was_divided || copy(local).change != Change::none))
-        send(local, letters);
+    if (last_.costs.was_divided) changed = world_.bodies();
+    std::sort(changed.begin(), changed.end());
+    for (const BodyId local : changed)
+      if (copy(local).lives_here) send(local, letters);
   }
+  for (const BodyId local : changed) copy(local).change = Change::none;
   for (std::size_t i = 0; i < changes.added.size(); ++i) send_new(changes.added[i], changes.boxes_of_added[i], letters);
 }
 
@@ -343,8 +359,8 @@ void DistributedWorld::State::give_up_what_left() {
 /// What went along a motion reaches less far now: in the next step it is seen to which ranks.
 void DistributedWorld::State::arrive() {
   for (const auto& [id, way] : ways_) {
-    Copy& one = copy(local_.at(id));
-    if (one.lives_here) one.change = Change::reach;
+    const BodyId local = local_.at(id);
+    if (copy(local).lives_here) note(local, Change::reach);
   }
   ways_.clear();
 }
@@ -355,6 +371,18 @@ void DistributedWorld::State::count_costs() {
     ++copies_[pair.first].cost;
     ++copies_[pair.second].cost;
   }
+  DistributedCosts& costs = last_.costs;
+  costs.bodies = costs.ghosts_elsewhere = 0;
+  cost_of_here_ = 0;
+  std::vector<bool> has_ghosts(static_cast<std::size_t>(ranks_.count()));
+  for (const Copy& one : copies_) {
+    if (!one.lives_here) continue;
+    ++costs.bodies;
+    cost_of_here_ += one.cost;
+    costs.ghosts_elsewhere += one.holders.size();
+    for (const int holder : one.holders) has_ghosts[static_cast<std::size_t>(holder)] = true;
+  }
+  costs.neighbours = static_cast<std::size_t>(std::count(has_ghosts.begin(), has_ghosts.end(), true));
 }
 
 }  // namespace toccata

@@ -198,6 +198,8 @@ class DistributedWorld::State {
 
   // Bodies go where they belong (body_exchange.cpp).
   void apply(const WantedChanges& changes, Letters& letters);
+  /// Of a body that lives here.
+  void note(BodyId local, Change change);
   /// Divides space anew where that is worth it.
   void divide(const WantedChanges& changes);
   [[nodiscard]] double imbalance_of(const WantedChanges& changes);
@@ -232,9 +234,8 @@ class DistributedWorld::State {
   [[nodiscard]] std::vector<LocalPair> found_pairs() const;
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
   void add_details(std::span<GlobalPairReport> pairs) const;
+  /// What each body costs, and what there is here.
   void count_costs();
-  /// Bodies, ghosts and neighbours, when a step is over.
-  void count_what_is_here();
 
   // Questions (global_queries.cpp).
   /// Each is answered by this rank, and then by those that `may_know(question, box of the rank's bodies, what is
@@ -267,6 +268,8 @@ class DistributedWorld::State {
   std::map<GlobalId, GlobalWay> ways_;            ///< of bodies that are here, in the step that is being made
   std::unordered_set<GlobalId> removed_;  ///< in this step, of bodies that were here: who has the id now is another
   std::vector<BodyId> leaving_;
+  std::vector<BodyId> changed_;     ///< live here and are not as they were in the last step, or have been removed
+  std::uint64_t cost_of_here_ = 0;  ///< of all that live here, as they were in the last step
   std::vector<GlobalPairReport> told_;
   DistributedStep last_;
   double imbalance_left_ = 1;  ///< when space was divided last

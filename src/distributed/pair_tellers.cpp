@@ -121,20 +121,6 @@ void DistributedWorld::State::require_whole() const {
   if (!broken_.empty()) throw Error(broken_);
 }
 
-void DistributedWorld::State::count_what_is_here() {
-  DistributedCosts& costs = last_.costs;
-  costs.bodies = costs.ghosts_elsewhere = 0;
-  std::vector<bool> has_ghosts(static_cast<std::size_t>(ranks_.count()));
-  for (const Copy& one : copies_) {
-    if (!one.lives_here) continue;
-    ++costs.bodies;
-    costs.ghosts_elsewhere += one.holders.size();
-    for (const int holder : one.holders) has_ghosts[static_cast<std::size_t>(holder)] = true;
-  }
-  costs.ghosts = world_.size() - costs.bodies;
-  costs.neighbours = static_cast<std::size_t>(std::count(has_ghosts.begin(), has_ghosts.end(), true));
-}
-
 /// Once what is wanted is found right.
 void DistributedWorld::State::make_step(const WantedChanges& changes, LapClock& clock) {
   DistributedSeconds& seconds = last_.costs.seconds;
@@ -170,7 +156,7 @@ void DistributedWorld::State::make_step(const WantedChanges& changes, LapClock& 
   arrive();
   count_costs();
   give_up_what_left();
-  count_what_is_here();
+  last_.costs.ghosts = world_.size() - last_.costs.bodies;
   seconds.telling = clock.lap();
 }
 

@@ -130,8 +130,7 @@ void DistributedWorld::State::follow(const WantedChanges& changes) {
       rules_[id].insert_or_assign(other, rule);
     // Its box may reach other ranks now.
     if (local == local_.end() || !copy(local->second).lives_here) return;
-    Copy& one = copy(local->second);
-    one.change = std::max(one.change, Change::reach);
+    note(local->second, Change::reach);
   };
   for (const GlobalPairRule& rule : changes.rules_of_all) {
     say(rule.a, rule.b, rule_of(rule));
