@@ -115,18 +115,22 @@ TEST(BytesOfRanks, BringBodiesBack) {
   static_cast<void>(sizes_of_bodies(bodies));
 }
 
-/// Every box of a row moves, and turns where that is said; which ranks have which stays as it is.
+/// Every box of a row moves, and turns on where that is said; which ranks have which stays as it is.
 void expect_few_bytes(bool turns, std::size_t most) {
   TwinWorlds twins;
+  Random random(4);
   std::vector<Body> bodies;
-  for (int i = 0; i < 200; ++i) bodies.push_back({Box({0.6, 0.6, 0.6}), Pose::translation(i, 0, 0), {}, {}, 1, 1, 2});
+  for (int i = 0; i < 200; ++i) {
+    Body box{Box({0.6, 0.6, 0.6}), Pose::rotation(vector_in(random, -1, 1), 1)};
+    box.pose.offset.x = i;
+    bodies.push_back(box);
+  }
   twins.add(bodies);
   twins.step();
   twins.step();
-  Random random(4);
   const std::vector<BodyId> ids = twins.world.bodies();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    Pose pose = turns ? Pose::rotation(vector_in(random, -1, 1), 1) : Pose{};
+    Pose pose = turns ? Pose::rotation(vector_in(random, -1, 1), 1) : bodies[i].pose;
     pose.offset = bodies[i].pose.offset + Vec3{0, 0.001, 0.002};
     twins.move(ids[i], pose);
   }
