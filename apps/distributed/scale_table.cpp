@@ -93,8 +93,9 @@ void print_scale(CrowdOfRanks crowd, const NetworkOfMany& network) {
   fmt::print("{}, {} boxes, the median of {} steps; one World takes {:.0f} ns a box", crowd.scene, crowd.count,
              crowd.frames, 1e9 * machine.seconds_a_body);
   if (all.size() > 1)
-    fmt::print("; between two ranks here {:.1f} µs a message, {:.1f} GB a second", 1e6 * machine.latency,
-               machine.bandwidth / 1e9);
+    fmt::print(
+        "; between two ranks here {:.1f} µs a message, {:.1f} GB a second, and {:.1f} reductions and barriers a step",
+        1e6 * machine.latency, machine.bandwidth / 1e9, all[1].load.collectives);
   fmt::print("\n");
   print_measured(all, machine);
   if (all.size() < 2) return;
