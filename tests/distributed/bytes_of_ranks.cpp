@@ -123,6 +123,7 @@ void expect_few_bytes(bool turns, std::size_t most) {
   for (int i = 0; i < 200; ++i) {
     Body box{Box({0.6, 0.6, 0.6}), Pose::rotation(vector_in(random, -1, 1), 1)};
     box.pose.offset.x = i;
+    box.margin = 1;
     bodies.push_back(box);
   }
   twins.add(bodies);

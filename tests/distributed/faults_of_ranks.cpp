@@ -109,7 +109,7 @@ TEST(FaultsOfRanks, DoNotWaitForEverForARankThatStaysAway) {
     const Clock::time_point begin = Clock::now();
     EXPECT_EQ(message_of([&] { world.step(); }), words);
     EXPECT_GE(seconds_since(begin), 1);
-    EXPECT_LT(seconds_since(begin), 60);
+    EXPECT_LT(seconds_since(begin), 10);
     const Clock::time_point again = Clock::now();
     expect_message([&] { world.step(); }, "the other ranks have not answered for 1 s");
     expect_message([&] { static_cast<void>(world.within_each({}, 1)); }, "the other ranks have not answered for 1 s");

@@ -81,13 +81,15 @@ TEST(PlanesOfRanks, HaveBodiesOnThem) {
   const SpaceOfRanks space = space_of(twins.world);
   EXPECT_EQ(space.planes().size() + 1, static_cast<std::size_t>(our_ranks().count()));
   expect_to_live_where_they_are(twins, space);
-  // By 0, a half and a whole side from the plane, on both sides of it; several of each.
+  // By 0, a half and a whole side from the plane, on both sides of it; five in a row, each two of which touch on the
+  // plane or reach over it.
   std::size_t moved = 0;
   for (const SpaceOfRanks::Plane& plane : space.planes()) {
     int turn = 0;
+    Pose pose;
     for (const BodyId id : twins.world.bodies()) {
       if (turn == 20 || !is_divided_at(space, plane, place_of(twins.world.box(id)))) continue;
-      Pose pose = twins.world.body(id).pose;
+      if (turn % 5 == 0) pose = twins.world.body(id).pose;
       pose.offset[plane.axis] = plane.at + half * (turn % 5 - 2);
       twins.move(id, pose);
       ++turn, ++moved;
