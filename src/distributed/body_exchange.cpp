@@ -287,28 +287,39 @@ WantedPlace DistributedWorld::State::get_place(MessageReader& reader, PlaceMessa
   return {id, {world_.body(local_.at(id)).pose.linear, reader.get<Vec3>()}};
 }
 
-DistributedWorld::State::News DistributedWorld::State::read(std::span<const Received> letters) {
-  News news;
-  for (const Received& received : letters)
-    for (MessageReader reader(received.bytes); !reader.is_at_end();) {
-      const BodyHead head = get_head(reader);
-      const GlobalId id = reader.get_number();
-      if (head.is_new_home) news.homes.emplace_back(id, reader.get_all<int>());
-      if (head.message == BodyMessage::put) news.put.push_back({{id, get_body(reader, models_)}, head.is_deformed});
-      if (head.message == BodyMessage::remove) news.removed.push_back(id);
-      if (head.message == BodyMessage::leave) news.leaving.push_back(id);
-      if (head.place != PlaceMessage::none) news.places.push_back(get_place(reader, head.place, id));
-      if (head.has_rules) news.put.back().rules = get_rules(reader);
+/// They stand at the beginning of a letter.
+void DistributedWorld::State::read_removed(MessageReader& reader) {
+  while (!reader.is_at_end()) {
+    MessageReader rest = reader;
+    if (get_head(rest).message != BodyMessage::remove) return;
+    remove_here(rest.get_number());
+    reader = rest;
+  }
+}
+
+void DistributedWorld::State::read(MessageReader& reader, News& news) {
+  constexpr std::size_t few = 16384;  // a copy of all that come would be as much memory as they are
+  while (!reader.is_at_end()) {
+    const BodyHead head = get_head(reader);
+    const GlobalId id = reader.get_number();
+    if (head.is_new_home) news.homes.emplace_back(id, reader.get_all<int>());
+    if (head.message == BodyMessage::put) news.put.push_back({{id, get_body(reader, models_)}, head.is_deformed});
+    if (head.message == BodyMessage::leave) news.leaving.push_back(id);
+    if (head.place != PlaceMessage::none) news.places.push_back(get_place(reader, head.place, id));
+    if (head.has_rules) {
+      news.put.back().rules = get_rules(reader);
+      news.with_rules.push_back(id);
     }
-  return news;
+    if (news.put.size() == few) put_here(news.put);
+  }
 }
 
 /// Those that come, and those that are here and are others now.
-void DistributedWorld::State::put_here(News& news) {
+void DistributedWorld::State::put_here(std::vector<PutBody>& put) {
   std::vector<BodyId> replaced;
   std::vector<Body> bodies, replacements;
   std::vector<GlobalId> ids;
-  for (PutBody& one : news.put) {
+  for (PutBody& one : put) {
     const auto known = local_.find(one.given.id);
     if (known == local_.end()) {
       ids.push_back(one.given.id);
@@ -328,17 +339,21 @@ void DistributedWorld::State::put_here(News& news) {
     one.cost = cost_of_body;
     local_.emplace(ids[i], locals[i]);
   }
-  for (PutBody& one : news.put) {
+  for (PutBody& one : put) {
     copy(local_.at(one.given.id)).is_deformed = one.is_deformed;
     if (!one.rules.empty()) rules_[one.given.id] = std::move(one.rules);
   }
+  put.clear();
 }
 
 void DistributedWorld::State::receive(const WantedChanges& changes, std::span<const Received> letters) {
-  News news = read(letters);
+  std::vector<MessageReader> readers;
+  for (const Received& received : letters) readers.emplace_back(received.bytes);
   // First: another rank may have given the id of a removed body to a new one.
-  for (const GlobalId id : news.removed) remove_here(id);
-  put_here(news);
+  for (MessageReader& reader : readers) read_removed(reader);
+  News news;
+  for (MessageReader& reader : readers) read(reader, news);
+  put_here(news.put);
   // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   go(news.places);
   for (const GlobalId id : news.leaving) leaving_.push_back(local_.at(id));

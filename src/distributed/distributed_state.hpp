@@ -55,6 +55,15 @@ struct WantedChanges {
   std::vector<GlobalPairRule> rules;
   std::vector<GlobalPairRule> rules_of_all;  ///< filled in: of all ranks, first those that end with a body
 
+  /// Once they are in messages: many may be all that there is memory for.
+  void free_bodies() {
+    added = {};
+    boxes_of_added = {};
+    moved = {};
+    bodies_deformed = {};
+    replaced = {};
+  }
+
   [[nodiscard]] bool is_empty() const {
     return added.empty() && moved.empty() && deformed.empty() && replaced.empty() && removed.empty() && rules.empty();
   }
@@ -159,8 +168,8 @@ class DistributedWorld::State {
   };
   /// What this rank is told in a step, sorted out.
   struct News {
-    std::vector<GlobalId> removed;
-    std::vector<PutBody> put;
+    std::vector<PutBody> put;          ///< the next few: they are put here before others are read
+    std::vector<GlobalId> with_rules;  ///< of all that are put
     std::vector<WantedPlace> places;
     std::vector<GlobalId> leaving;
     std::vector<std::pair<GlobalId, std::vector<int>>> homes;  ///< what lives here from now on, and who else has it
@@ -210,10 +219,11 @@ class DistributedWorld::State {
   void put_place(MessageWriter& letter, PlaceMessage place, BodyId local) const;
   void put_whole(MessageWriter& letter, BodyId local, int to, int home, std::span<const int> holders);
   [[nodiscard]] WantedPlace get_place(MessageReader& reader, PlaceMessage place, GlobalId id) const;
-  [[nodiscard]] News read(std::span<const Received> letters);
+  void read_removed(MessageReader& reader);
+  void read(MessageReader& reader, News& news);
   void receive(const WantedChanges& changes, std::span<const Received> letters);
   void remove_here(GlobalId id);
-  void put_here(News& news);
+  void put_here(std::vector<PutBody>& put);
   void go(std::span<const WantedPlace> places);
   void come_to_live_here(BodyId local, std::span<const int> holders);
   void give_up_what_left();
@@ -226,7 +236,7 @@ class DistributedWorld::State {
   void require_whole() const;
 
   // Pairs are told by one rank each (pair_tellers.cpp).
-  void make_step(const WantedChanges& changes, LapClock& clock);
+  void make_step(WantedChanges& changes, LapClock& clock);
   void find_pairs();
   /// What each rank found, and what this one tells of it.
   void tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now);

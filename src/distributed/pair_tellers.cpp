@@ -122,7 +122,7 @@ void DistributedWorld::State::require_whole() const {
 }
 
 /// Once what is wanted is found right.
-void DistributedWorld::State::make_step(const WantedChanges& changes, LapClock& clock) {
+void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock) {
   DistributedSeconds& seconds = last_.costs.seconds;
   const auto all_do = [&](auto work) {
     ranks_.all_do([&] {
@@ -136,6 +136,7 @@ void DistributedWorld::State::make_step(const WantedChanges& changes, LapClock& 
   divide(changes);
   seconds.division = clock.lap();
   all_do([&] { send_where_they_belong(changes, letters); });
+  changes.free_bodies();
   const std::vector<Received> received = ranks_.exchange(letters);
   seconds.sending = clock.lap();
   all_do([&] {

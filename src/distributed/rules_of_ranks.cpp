@@ -146,9 +146,9 @@ void DistributedWorld::State::tell_rules(const WantedChanges& changes, const New
       rules.push_back({first->second, second->second, rule.excluded, rule.margin});
   };
   for (const GlobalPairRule& rule : changes.rules_of_all) tell(rule.a, rule.b, rule_of(rule));
-  for (const PutBody& one : news.put)
-    if (const auto found = rules_.find(one.given.id); found != rules_.end())
-      for (const auto& [other, rule] : found->second) tell(one.given.id, other, rule);
+  for (const GlobalId id : news.with_rules)
+    if (const auto found = rules_.find(id); found != rules_.end())
+      for (const auto& [other, rule] : found->second) tell(id, other, rule);
   if (!rules.empty()) world_.set_rules(rules);
   // What came from here and went elsewhere, and what has no rules left.
   std::erase_if(rules_, [&](const auto& one) { return one.second.empty() || !local_.contains(one.first); });

@@ -43,11 +43,18 @@ std::vector<BodyId> added_to(World& world, std::span<const GlobalBody> wanted) {
   return ids;
 }
 
-/// As a World has them.
+/// As a World has them. It is one of few bodies at a time, so that it takes little memory.
 std::vector<BodyBoxes> boxes_of(std::span<const GlobalBody> wanted) {
-  World world;
+  constexpr std::size_t at_a_time = 4096;
   std::vector<BodyBoxes> boxes;
-  for (const BodyId id : added_to(world, wanted)) boxes.push_back({world.box(id), world.broad_phase().box(id.index)});
+  boxes.reserve(wanted.size());
+  while (!wanted.empty()) {
+    World world;
+    const std::size_t count = std::min(at_a_time, wanted.size());
+    for (const BodyId id : added_to(world, wanted.first(count)))
+      boxes.push_back({world.box(id), world.broad_phase().box(id.index)});
+    wanted = wanted.subspan(count);
+  }
   return boxes;
 }
 
