@@ -155,6 +155,14 @@ TEST(WorldsOfRanks, ShareTheWorkAndKeepFewGhosts) {
   EXPECT_LT(costs.ghosts, 900U);
   // Nothing has moved.
   EXPECT_EQ(costs.bytes_sent, 0U);
+  // Six reductions and two barriers (docs/design/distributed.md, "A model of scale").
+  EXPECT_EQ(costs.collectives, our_ranks().count() > 1 ? 8U : 0U);
+  const DistributedSeconds& seconds = costs.seconds;
+  EXPECT_GT(seconds.pairs, 0);
+  EXPECT_GT(seconds.telling, 0);
+  EXPECT_EQ(seconds.waiting > 0, our_ranks().count() > 1);
+  EXPECT_LE(seconds.waiting,
+            seconds.changes + seconds.division + seconds.sending + seconds.receiving + seconds.pairs + seconds.telling);
 }
 
 /// What one rank does wrong all ranks are told, in the same words; and go on.
