@@ -35,7 +35,7 @@ struct Line {
   double milliseconds = 0, ghosts = 0, imbalance = 0, candidates = 0, came = 0, bytes = 0, most_bytes = 0,
          bytes_of_bound = 0, most_of_bound = 0, divisions = 0, peak_bytes = 0;
   DistributedSeconds seconds{};  ///< of an average step and rank
-  NearestRates nearest;
+  NearestRates nearest{};
 };
 
 DistributedSeconds average_seconds(const std::vector<RankCosts>& rows, double frames) {
