@@ -141,6 +141,16 @@ add_ifc() {
   chmod +x "$program"
 }
 
+# Options for a build that has the room over MPI, where that is installed, for tests on few ranks: those on more, and under
+# sanitizers, are a step of --all.
+options_for_ranks() {
+  if command -v mpicxx >/dev/null; then
+    printf '%s\n' -DTOCCATA_WITH_MPI=ON '-DTOCCATA_TEST_RANKS=1;2;3' -DTOCCATA_TEST_RANKS_SANITIZED=OFF
+  else
+    printf '%s\n' -DTOCCATA_WITH_MPI=OFF
+  fi
+}
+
 # run_tests [--all | NAME…]: everything that judges a commit, or the tests of a room or with a name. The last thing
 # printed is the summary of the tests, or of the part that failed.
 run_tests() {
@@ -155,24 +165,32 @@ run_tests() {
     run_named_tests "$@"
     return
   fi
-  configure_tests
+  local ranks
+  install_packages packages-mpi
+  mapfile -t ranks < <(options_for_ranks)
+  configure_tests ON "${ranks[@]}"
   build release
   run_ctest release
 }
 
-# configure_tests [ON | OFF]: files of tests and benchmarks are compiled without optimisation, unlike what they test, and those
+# configure_tests [ON | OFF [OPTION…]]: files of tests and benchmarks are compiled without optimisation, unlike what they test, and those
 # of tests once for two programs: one with the libraries as users get them, and unless OFF one with those under sanitizers.
 # CGAL's second opinion is left to --all.
 configure_tests() {
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED="${1-ON}" -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED="${1-ON}" -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0 "${@:2}"
 }
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's
 # name.
 run_named_tests() {
-  local name patterns=() targets=() of_rooms=yes
+  local name patterns=() targets=() ranks=() of_rooms=yes
   for name in "$@"; do
-    if compgen -G "$source_folder/tests/$name/*_test.cpp" >/dev/null; then
+    if [[ $name == distributed ]]; then
+      install_packages packages-mpi
+      mapfile -t ranks < <(options_for_ranks)
+      patterns+=("^$name/")
+      targets+=(test_distributed toccata_bench_ranks toccata_crowd_ranks toccata_check_ranks toccata_command)
+    elif compgen -G "$source_folder/tests/$name/*_test.cpp" >/dev/null; then
       patterns+=("^$name/")
       targets+=("test_$name")
     else
@@ -182,7 +200,7 @@ run_named_tests() {
   done
   local left_out=()
   if [[ $of_rooms == no ]]; then targets=(); else left_out=(-E /sanitized-); fi
-  configure_tests
+  configure_tests ON "${ranks[@]}"
   build release "${targets[@]}"
   run_ctest release --no-tests=error "${left_out[@]}" -R "$(
     IFS='|'

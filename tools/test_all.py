@@ -77,7 +77,7 @@ STEPS = {
     "tidy": Step("configure clang -DTOCCATA_BUILD_TESTS=ON; python3 tools/check_tidy.py --all", [*CODE, ".clang-tidy", "tools"], "clang clang-tidy"),
     "proofs": Step("python3 tools/check_proofs.py", [*CODE, "tools"]),
     # The command is built with the library, since the package's answers are compared with its.
-    "python": Step("configure release; build release toccata_reports toccata_command; cmake --install build/release --prefix build/python/prefix >/dev/null; "
+    "python": Step("configure release -DTOCCATA_WITH_MPI=OFF; build release toccata_reports toccata_command; cmake --install build/release --prefix build/python/prefix >/dev/null; "
                    "python3 tools/check_wheel.py --prefix build/python/prefix",
                    [*CODE, "docs", "python", "pyproject.toml", "tools"], "python3-dev python3-venv"),
     # The bindings alone are compiled under sanitizers, against the libraries that the tests' second run has.
@@ -89,7 +89,8 @@ STEPS = {
                     "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata --reader",
                     packages="$(cat tools/packages-step.txt tools/packages-assimp.txt)"),
     # The room that needs MPI, on up to 8 ranks, and on 2 under sanitizers. The folder has then no such room any more.
-    "ranks": Step("trap 'configure release -DTOCCATA_WITH_MPI=OFF' EXIT; configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_WITH_MPI=ON; "
+    "ranks": Step("trap 'configure release -DTOCCATA_WITH_MPI=OFF' EXIT; configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_WITH_MPI=ON "
+                  "'-DTOCCATA_TEST_RANKS=1;2;3;5;8' -DTOCCATA_TEST_RANKS_SANITIZED=ON; "
                   "build release test_distributed test_distributed_sanitized toccata_command toccata_check_ranks toccata_crowd_ranks toccata_bench_ranks; "
                   "run_ctest release -R '^distributed/|^package/find_distributed'",
                   packages="$(cat tools/packages-mpi.txt)"),

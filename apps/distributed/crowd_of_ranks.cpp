@@ -19,15 +19,16 @@ namespace {
 void print_table(const CrowdOfRanks& arguments, const std::vector<RankCosts>& rows) {
   fmt::print("{} boxes, {}, {} frames, {} ranks; imbalance {:.2f}, space divided anew {} times\n", arguments.count,
              arguments.scene, arguments.frames, rows.size(), rows[0].imbalance, rows[0].divisions);
-  fmt::print("{:>4}{:>12}{:>11}{:>10}{:>10}{:>11}{:>11}{:>14}{:>14}\n", "rank", "ms a step", "bodies", "ghosts",
-             "ghosts %", "pairs", "looked at", "came a step", "bytes a step");
+  fmt::print("{:>4}{:>12}{:>12}{:>11}{:>10}{:>10}{:>11}{:>11}{:>14}{:>14}{:>11}\n", "rank", "ms a step", "ms waiting",
+             "bodies", "ghosts", "ghosts %", "pairs", "looked at", "came a step", "bytes a step", "memory MB");
   const auto frames = static_cast<double>(arguments.frames);
   double pairs = 0;
   for (std::size_t rank = 0; rank < rows.size(); ++rank) {
     const RankCosts& row = rows[rank];
-    fmt::print("{:>4}{:>12.3f}{:>11}{:>10}{:>10.2f}{:>11}{:>11}{:>14.1f}{:>14.0f}\n", rank, row.milliseconds,
-               row.bodies, row.ghosts, 100 * row.ghosts / std::max(row.bodies, 1.0), row.pairs, row.candidates,
-               row.came / frames, row.bytes / frames);
+    fmt::print("{:>4}{:>12.3f}{:>12.3f}{:>11}{:>10}{:>10.2f}{:>11}{:>11}{:>14.1f}{:>14.0f}{:>11.0f}\n", rank,
+               row.milliseconds, 1e3 * row.seconds.waiting / frames, row.bodies, row.ghosts,
+               100 * row.ghosts / std::max(row.bodies, 1.0), row.pairs, row.candidates, row.came / frames,
+               row.bytes / frames, row.peak_bytes / 1e6);
     pairs += row.pairs;
   }
   fmt::print("{} pairs in contact\n", pairs);
@@ -45,6 +46,9 @@ int main_of(int count, char** words) {
       ->capture_default_str();
   app.add_option("--scene", arguments.scene, "how they lie and move")
       ->check(CLI::IsMember(scenes))
+      ->capture_default_str();
+  app.add_option("--moving", arguments.moving, "which share of the boxes may move; the others stay")
+      ->check(number_between(0, 1))
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "another seed, another crowd")->capture_default_str();
   app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")

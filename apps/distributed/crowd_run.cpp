@@ -1,12 +1,12 @@
 #include "crowd_run.hpp"
 
 #include <mpi.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "toccata/distributed.hpp"
-#include "toccata/generate/crowds.hpp"
+#include "toccata/core/random.hpp"
 
 namespace toccata {
 namespace {
@@ -24,40 +24,63 @@ std::vector<GlobalBody> bodies_to_give(const Crowd& crowd, const DistributedWorl
   return bodies;
 }
 
-void move_those_here(Crowd& crowd, DistributedWorld& world) {
+void move_those_here(Crowd& crowd, const CrowdOfRanks& wanted, DistributedWorld& world) {
   std::vector<GlobalId> ids;
   std::vector<Pose> poses;
   for (const Index moved : crowd.step()) {
     if (!world.lives_here(moved)) continue;
+    if (wanted.moving < 1 && Random(wanted.seed + moved).unit() >= wanted.moving) continue;
     ids.push_back(moved);
     poses.push_back(Pose::translation(middle_of(crowd.boxes()[moved])));
   }
   world.move(ids, poses);
 }
 
+void add(DistributedSeconds& sum, const DistributedSeconds& one) {
+  sum.changes += one.changes;
+  sum.division += one.division;
+  sum.sending += one.sending;
+  sum.receiving += one.receiving;
+  sum.pairs += one.pairs;
+  sum.telling += one.telling;
+  sum.waiting += one.waiting;
+}
+
+void add(RankCosts& row, const DistributedCosts& costs) {
+  row.bodies = static_cast<double>(costs.bodies);
+  row.ghosts = static_cast<double>(costs.ghosts);
+  row.candidates = static_cast<double>(costs.candidates);
+  row.came += static_cast<double>(costs.came);
+  row.bytes += static_cast<double>(costs.bytes_sent);
+  row.bytes_bound += bound_of_bytes(costs);
+  row.most_bytes_of_bound =
+      std::max(row.most_bytes_of_bound, static_cast<double>(costs.bytes_sent) / std::max(bound_of_bytes(costs), 1.));
+  row.imbalance = costs.imbalance;
+  row.divisions += costs.was_divided ? 1 : 0;
+  row.collectives += static_cast<double>(costs.collectives);
+  add(row.seconds, costs.seconds);
+}
+
+double peak_bytes() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return 1024. * static_cast<double>(used.ru_maxrss);
+}
+
 RankCosts costs_of_this(const CrowdOfRanks& wanted) {
-  DistributedOptions options;
-  options.world.threads = wanted.threads;
-  DistributedWorld world({MPI_Comm_c2f(MPI_COMM_WORLD)}, options);
   Crowd crowd(wanted.scene, wanted.count, wanted.seed);
-  world.add(bodies_to_give(crowd, world));
-  world.step();
+  DistributedWorld world = world_of_crowd(crowd, wanted);
   RankCosts row;
   std::vector<double> milliseconds;
   for (std::size_t frame = 0; frame < wanted.frames; ++frame) {
-    move_those_here(crowd, world);
+    move_those_here(crowd, wanted, world);
     const auto begin = std::chrono::steady_clock::now();
     const DistributedCosts& costs = world.step().costs;
     milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-    row.bodies = static_cast<double>(costs.bodies);
-    row.ghosts = static_cast<double>(costs.ghosts);
-    row.candidates = static_cast<double>(costs.candidates);
-    row.came += static_cast<double>(costs.came);
-    row.bytes += static_cast<double>(costs.bytes_sent);
-    row.imbalance = costs.imbalance;
-    row.divisions += costs.was_divided ? 1 : 0;
+    add(row, costs);
   }
   row.pairs = static_cast<double>(world.pairs().size());
+  row.peak_bytes = peak_bytes();
   std::sort(milliseconds.begin(), milliseconds.end());
   row.milliseconds = milliseconds[milliseconds.size() / 2];
   return row;
@@ -65,13 +88,33 @@ RankCosts costs_of_this(const CrowdOfRanks& wanted) {
 
 }  // namespace
 
+double bound_of_bytes(const DistributedCosts& costs) {
+  return 100. * static_cast<double>(costs.ghosts_elsewhere) + 4096. * static_cast<double>(costs.neighbours);
+}
+
+double total(const DistributedSeconds& seconds) {
+  return seconds.changes + seconds.pairs + seconds.telling + migration(seconds);
+}
+
+double migration(const DistributedSeconds& seconds) { return seconds.division + seconds.sending + seconds.receiving; }
+
+DistributedWorld world_of_crowd(const Crowd& crowd, const CrowdOfRanks& wanted) {
+  DistributedOptions options;
+  options.world.threads = wanted.threads;
+  DistributedWorld world({wanted.communicator.value_or(MPI_Comm_c2f(MPI_COMM_WORLD))}, options);
+  world.add(bodies_to_give(crowd, world));
+  world.step();
+  return world;
+}
+
 std::vector<RankCosts> costs_of_ranks(const CrowdOfRanks& crowd) {
   const RankCosts own = costs_of_this(crowd);
+  MPI_Comm communicator = MPI_Comm_f2c(crowd.communicator.value_or(MPI_Comm_c2f(MPI_COMM_WORLD)));
   int rank = 0, ranks = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  MPI_Comm_rank(communicator, &rank);
+  MPI_Comm_size(communicator, &ranks);
   std::vector<RankCosts> rows(static_cast<std::size_t>(ranks));
-  MPI_Gather(&own, sizeof(RankCosts), MPI_BYTE, rows.data(), sizeof(RankCosts), MPI_BYTE, 0, MPI_COMM_WORLD);
+  MPI_Gather(&own, sizeof(RankCosts), MPI_BYTE, rows.data(), sizeof(RankCosts), MPI_BYTE, 0, communicator);
   if (rank != 0) rows.clear();
   return rows;
 }

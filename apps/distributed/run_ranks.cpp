@@ -32,6 +32,13 @@ std::optional<int> end_by_words(CLI::App& app, int count, char** words) {
   }
 }
 
+void wait_idly() {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  for (int is_over = 0; MPI_Test(&request, &is_over, MPI_STATUS_IGNORE) == MPI_SUCCESS && is_over == 0;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 int run_ranks(int count, char** words, const char* program, const std::function<int()>& work) {
   int provided = 0;
   MPI_Init_thread(&count, &words, MPI_THREAD_FUNNELED, &provided);

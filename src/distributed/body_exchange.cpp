@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 #include "distributed/body_bytes.hpp"
 #include "distributed/distributed_state.hpp"
+#include "distributed/pose_bytes.hpp"
 #include "math/constants.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "world/swept_box.hpp"
@@ -17,10 +19,30 @@ bool has(std::span<const int> ascending, int rank) {
   return std::binary_search(ascending.begin(), ascending.end(), rank);
 }
 
+void put_head(MessageWriter& letter, const BodyHead& head, GlobalId id) {
+  letter.put(static_cast<std::uint8_t>(static_cast<unsigned>(head.message) | static_cast<unsigned>(head.place) << 2 |
+                                       unsigned{head.is_new_home} << 4 | unsigned{head.is_deformed} << 5 |
+                                       unsigned{head.has_rules} << 6));
+  letter.put_number(id);
+}
+
+BodyHead get_head(MessageReader& reader) {
+  const unsigned bits = reader.get<std::uint8_t>();
+  return {static_cast<BodyMessage>(bits & 3), static_cast<PlaceMessage>(bits >> 2 & 3), (bits >> 4 & 1) != 0,
+          (bits >> 5 & 1) != 0, (bits >> 6 & 1) != 0};
+}
+
+bool is_same_turn(const Pose& a, const Pose& b) { return std::memcmp(&a.linear, &b.linear, sizeof(Mat3)) == 0; }
+
 std::vector<int> without(std::span<const int> ranks, int left_out) {
   std::vector<int> others;
   std::copy_if(ranks.begin(), ranks.end(), std::back_inserter(others), [&](int rank) { return rank != left_out; });
   return others;
+}
+
+/// What the rank on which it comes to live has to know.
+void put_holders(MessageWriter& letter, int home, std::span<const int> holders) {
+  letter.put_all(std::span<const int>(without(holders, home)));
 }
 
 }  // namespace
@@ -76,6 +98,7 @@ void DistributedWorld::State::go(std::span<const WantedPlace> places) {
 void DistributedWorld::State::remove_here(GlobalId id) {
   const BodyId local = local_.at(id);
   world_.remove(local);
+  if (copy(local).lives_here) cost_of_here_ -= copy(local).cost;
   copy(local) = {};
   local_.erase(id);
   forget_rules(id);
@@ -88,25 +111,25 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
   for (const GlobalBody& deformed : changes.bodies_deformed) {
     const BodyId local = local_.at(deformed.id);
     world_.replace(local, deformed.body);
-    copy(local).change = Change::replaced;
+    note(local, Change::replaced);
     copy(local).is_deformed = true;
   }
-  go(changes.moved);
   for (const WantedPlace& moved : changes.moved) {
-    Copy& one = copy(local_.at(moved.id));
-    one.change = std::max(one.change, Change::moved);
+    const BodyId local = local_.at(moved.id);
+    const bool turns = moved.motion || !is_same_turn(moved.pose, world_.body(local).pose);
+    note(local, turns ? Change::moved : Change::shifted);
   }
+  go(changes.moved);
   for (const GlobalBody& replaced : changes.replaced) {
     const BodyId local = local_.at(replaced.id);
     world_.replace(local, replaced.body);
-    copy(local).change = Change::replaced;
+    note(local, Change::replaced);
     copy(local).is_deformed = false;
     ways_.erase(replaced.id);
   }
   for (const GlobalId id : changes.removed) {
     for (const int holder : copy(local_.at(id)).holders) {
-      letters[holder].put(BodyMessage::remove);
-      letters[holder].put(id);
+      put_head(letters[holder], {BodyMessage::remove}, id);
     }
     ways_.erase(id);
     remove_here(id);
@@ -114,13 +137,25 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
   follow(changes);
 }
 
+void DistributedWorld::State::note(BodyId local, Change change) {
+  Copy& one = copy(local);
+  if (one.change == Change::none) changed_.push_back(local);
+  one.change = std::max(one.change, change);
+}
+
 double DistributedWorld::State::imbalance_of(const WantedChanges& changes) {
   std::vector<std::uint64_t> loads(static_cast<std::size_t>(ranks_.count()));
   const auto add = [&](const Aabb& box, std::uint64_t cost) {
     loads[static_cast<std::size_t>(space_.part_of(place_of(box)))] += cost;
   };
-  for (const auto& [id, local] : local_)
-    if (copy(local).lives_here) add(world_.box(local), copy(local).cost);
+  // What has not changed is where it was: in this rank's part, unless that is another now.
+  std::uint64_t& here = loads[static_cast<std::size_t>(ranks_.rank())];
+  if (!last_.costs.was_divided) here = cost_of_here_;
+  for (const BodyId local : last_.costs.was_divided ? world_.bodies() : changed_) {
+    if (!copy(local).lives_here) continue;
+    if (!last_.costs.was_divided) here -= copy(local).cost;
+    add(world_.box(local), copy(local).cost);
+  }
   for (const BodyBoxes& boxes : changes.boxes_of_added) add(boxes.own, cost_of_body);
   ranks_.add_up(loads);
   double sum = 0;
@@ -139,7 +174,7 @@ void DistributedWorld::State::divide(const WantedChanges& changes) {
   if (last_.costs.imbalance <= options_.most_imbalance || last_.costs.imbalance <= 1.1 * imbalance_left_) return;
   std::vector<Vec3> places;
   std::vector<std::uint64_t> costs;
-  for (const auto& [id, local] : local_) {
+  for (const BodyId local : world_.bodies()) {
     if (!copy(local).lives_here) continue;
     places.push_back(place_of(world_.box(local)));
     costs.push_back(copy(local).cost);
@@ -153,62 +188,55 @@ void DistributedWorld::State::divide(const WantedChanges& changes) {
   last_.costs.imbalance = imbalance_left_ = imbalance_of(changes);
 }
 
-/// Whether it lives there from now on, and what that rank then has to know.
-void DistributedWorld::State::put_home(MessageWriter& letter, int to, int home, std::span<const int> holders) const {
-  const bool is_new_home = to == home;
-  letter.put(is_new_home);
-  if (is_new_home) letter.put_all(std::span<const int>(without(holders, home)));
-}
-
-void DistributedWorld::State::put_way(MessageWriter& letter, GlobalId id) const {
-  const auto way = ways_.find(id);
-  letter.put(way != ways_.end());
-  if (way != ways_.end()) letter.put(way->second.motion.pieces().front());
-}
-
-void DistributedWorld::State::put_place(MessageWriter& letter, BodyId local) const {
-  put_way(letter, copy(local).id);
-  if (!ways_.contains(copy(local).id)) letter.put(world_.body(local).pose);
-}
-
-void DistributedWorld::State::put_whole(MessageWriter& letter, BodyId local, int to) {
+/// To a rank that has it as it was in the step before.
+PlaceMessage DistributedWorld::State::place_message_of(BodyId local) const {
   const Copy& own = copy(local);
+  if (ways_.contains(own.id)) return PlaceMessage::way;
+  if (own.change == Change::moved) return PlaceMessage::pose;
+  return own.change == Change::shifted ? PlaceMessage::offset : PlaceMessage::none;
+}
+
+void DistributedWorld::State::put_place(MessageWriter& letter, PlaceMessage place, BodyId local) const {
+  if (place == PlaceMessage::way) letter.put(ways_.at(copy(local).id).motion.pieces().front());
+  if (place == PlaceMessage::pose) put_pose(letter, world_.body(local).pose);
+  if (place == PlaceMessage::offset) letter.put(world_.body(local).pose.offset);
+}
+
+void DistributedWorld::State::put_whole(MessageWriter& letter, BodyId local, int to, int home,
+                                        std::span<const int> holders) {
+  const Copy& own = copy(local);
+  const PlaceMessage place = ways_.contains(own.id) ? PlaceMessage::way : PlaceMessage::none;
+  const bool has_rules = rules_.contains(own.id);
+  put_head(letter, {BodyMessage::put, place, to == home, own.is_deformed, has_rules}, own.id);
+  if (to == home) put_holders(letter, home, holders);
   put_body(letter, world_.body(local), models_, to, own.is_deformed ? ModelGoes::each_time : ModelGoes::once);
-  put_way(letter, own.id);
-  letter.put(own.is_deformed);
-  put_rules(letter, own.id);
+  put_place(letter, place, local);
+  if (has_rules) put_rules(letter, own.id);
 }
 
 void DistributedWorld::State::send(BodyId local, Letters& letters) {
   Copy& own = copy(local);
   const int here = ranks_.rank(), home = space_.part_of(place_of(world_.box(local)));
   const std::vector<int> reached_ranks = ranks_reached_by(reached_box(local), home);
-  const auto begin = [&](int to, BodyMessage message) -> MessageWriter& {
-    letters[to].put(message);
-    letters[to].put(own.id);
-    return letters[to];
-  };
-  const auto put_whole_to = [&](int to) {
-    MessageWriter& letter = begin(to, BodyMessage::put);
-    put_home(letter, to, home, reached_ranks);
-    put_whole(letter, local, to);
-  };
+  const PlaceMessage place = place_message_of(local);
   for (const int to : reached_ranks) {
     if (to == here) continue;
     if (!has(own.holders, to) || own.change == Change::replaced) {
-      put_whole_to(to);
-    } else if (own.change == Change::moved || to == home) {
-      MessageWriter& letter = begin(to, BodyMessage::move);
-      put_home(letter, to, home, reached_ranks);
-      put_place(letter, local);
+      put_whole(letters[to], local, to, home, reached_ranks);
+    } else if (place != PlaceMessage::none || to == home) {
+      put_head(letters[to], {BodyMessage::move, place, to == home}, own.id);
+      if (to == home) put_holders(letters[to], home, reached_ranks);
+      put_place(letters[to], place, local);
     }
   }
   for (const int to : own.holders) {
     if (has(reached_ranks, to)) continue;
     // In the step to come it is still there: so it has to be what it is now, or that rank would tell pairs of what it
     // was.
-    if (own.change == Change::replaced) put_whole_to(to);
-    put_place(begin(to, BodyMessage::leave), local);
+    const bool is_new = own.change == Change::replaced;
+    if (is_new) put_whole(letters[to], local, to, home, reached_ranks);
+    put_head(letters[to], {BodyMessage::leave, is_new ? PlaceMessage::none : place}, own.id);
+    put_place(letters[to], is_new ? PlaceMessage::none : place, local);
   }
   own.change = Change::none;
   own.lives_here = home == here;
@@ -224,22 +252,23 @@ void DistributedWorld::State::send_new(const GlobalBody& added, const BodyBoxes&
   const std::vector<int> reached_ranks = ranks_reached_by(reached, home);
   for (const int to : reached_ranks) {
     MessageWriter& letter = letters[to];
-    letter.put(BodyMessage::put);
-    letter.put(added.id);
-    put_home(letter, to, home, reached_ranks);
+    const bool has_rules = rules_.contains(added.id);
+    put_head(letter, {BodyMessage::put, PlaceMessage::none, to == home, false, has_rules}, added.id);
+    if (to == home) put_holders(letter, home, reached_ranks);
     put_body(letter, added.body, models_, to, ModelGoes::once);
-    letter.put(false);  // it goes along no motion
-    letter.put(false);  // its mesh may be shared
-    put_rules(letter, added.id);
+    if (has_rules) put_rules(letter, added.id);
   }
 }
 
 void DistributedWorld::State::send_where_they_belong(const WantedChanges& changes, Letters& letters) {
+  std::vector<BodyId> changed = std::exchange(changed_, {});
   if (ranks_.count() > 1) {
-    for (const BodyId local : world_.bodies())
-      if (copy(local).lives_here && (last_.costs.was_divided || copy(local).change != Change::none))
-        send(local, letters);
+    if (last_.costs.was_divided) changed = world_.bodies();
+    std::sort(changed.begin(), changed.end());
+    for (const BodyId local : changed)
+      if (copy(local).lives_here) send(local, letters);
   }
+  for (const BodyId local : changed) copy(local).change = Change::none;
   for (std::size_t i = 0; i < changes.added.size(); ++i) send_new(changes.added[i], changes.boxes_of_added[i], letters);
 }
 
@@ -249,45 +278,48 @@ void DistributedWorld::State::come_to_live_here(BodyId local, std::span<const in
   ++last_.costs.came;
 }
 
-std::optional<RigidMotion> DistributedWorld::State::get_way(MessageReader& reader) {
-  if (!reader.get<bool>()) return std::nullopt;
-  const auto piece = reader.get<RigidMotion::Piece>();
-  return RigidMotion(piece.start, piece.move);
+WantedPlace DistributedWorld::State::get_place(MessageReader& reader, PlaceMessage place, GlobalId id) const {
+  if (place == PlaceMessage::way) {
+    const auto piece = reader.get<RigidMotion::Piece>();
+    return {id, {}, RigidMotion(piece.start, piece.move)};
+  }
+  if (place == PlaceMessage::pose) return {id, get_pose(reader)};
+  return {id, {world_.body(local_.at(id)).pose.linear, reader.get<Vec3>()}};
 }
 
-DistributedWorld::State::News DistributedWorld::State::read(std::span<const Received> letters) {
-  News news;
-  for (const Received& received : letters)
-    for (MessageReader reader(received.bytes); !reader.is_at_end();) {
-      const auto message = reader.get<BodyMessage>();
-      const auto id = reader.get<GlobalId>();
-      const bool can_be_home = message == BodyMessage::put || message == BodyMessage::move;
-      if (can_be_home && reader.get<bool>()) news.homes.emplace_back(id, reader.get_all<int>());
-      if (message == BodyMessage::remove) {
-        news.removed.push_back(id);
-        continue;
-      }
-      if (message == BodyMessage::put) {
-        news.put.push_back({{id, get_body(reader, models_)}});
-        if (std::optional<RigidMotion> way = get_way(reader)) news.places.push_back({id, {}, std::move(way)});
-        news.put.back().is_deformed = reader.get<bool>();
-        news.put.back().rules = get_rules(reader);
-        continue;
-      }
-      if (message == BodyMessage::leave) news.leaving.push_back(id);
-      std::optional<RigidMotion> way = get_way(reader);
-      const Pose pose = way ? Pose{} : reader.get<Pose>();
-      news.places.push_back({id, pose, std::move(way)});
+/// They stand at the beginning of a letter.
+void DistributedWorld::State::read_removed(MessageReader& reader) {
+  while (!reader.is_at_end()) {
+    MessageReader rest = reader;
+    if (get_head(rest).message != BodyMessage::remove) return;
+    remove_here(rest.get_number());
+    reader = rest;
+  }
+}
+
+void DistributedWorld::State::read(MessageReader& reader, News& news) {
+  constexpr std::size_t few = 16384;  // a copy of all that come would be as much memory as they are
+  while (!reader.is_at_end()) {
+    const BodyHead head = get_head(reader);
+    const GlobalId id = reader.get_number();
+    if (head.is_new_home) news.homes.emplace_back(id, reader.get_all<int>());
+    if (head.message == BodyMessage::put) news.put.push_back({{id, get_body(reader, models_)}, head.is_deformed});
+    if (head.message == BodyMessage::leave) news.leaving.push_back(id);
+    if (head.place != PlaceMessage::none) news.places.push_back(get_place(reader, head.place, id));
+    if (head.has_rules) {
+      news.put.back().rules = get_rules(reader);
+      news.with_rules.push_back(id);
     }
-  return news;
+    if (news.put.size() == few) put_here(news.put);
+  }
 }
 
 /// Those that come, and those that are here and are others now.
-void DistributedWorld::State::put_here(News& news) {
+void DistributedWorld::State::put_here(std::vector<PutBody>& put) {
   std::vector<BodyId> replaced;
   std::vector<Body> bodies, replacements;
   std::vector<GlobalId> ids;
-  for (PutBody& one : news.put) {
+  for (PutBody& one : put) {
     const auto known = local_.find(one.given.id);
     if (known == local_.end()) {
       ids.push_back(one.given.id);
@@ -307,17 +339,21 @@ void DistributedWorld::State::put_here(News& news) {
     one.cost = cost_of_body;
     local_.emplace(ids[i], locals[i]);
   }
-  for (PutBody& one : news.put) {
+  for (PutBody& one : put) {
     copy(local_.at(one.given.id)).is_deformed = one.is_deformed;
     if (!one.rules.empty()) rules_[one.given.id] = std::move(one.rules);
   }
+  put.clear();
 }
 
 void DistributedWorld::State::receive(const WantedChanges& changes, std::span<const Received> letters) {
-  News news = read(letters);
+  std::vector<MessageReader> readers;
+  for (const Received& received : letters) readers.emplace_back(received.bytes);
   // First: another rank may have given the id of a removed body to a new one.
-  for (const GlobalId id : news.removed) remove_here(id);
-  put_here(news);
+  for (MessageReader& reader : readers) read_removed(reader);
+  News news;
+  for (MessageReader& reader : readers) read(reader, news);
+  put_here(news.put);
   // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   go(news.places);
   for (const GlobalId id : news.leaving) leaving_.push_back(local_.at(id));
@@ -338,8 +374,8 @@ void DistributedWorld::State::give_up_what_left() {
 /// What went along a motion reaches less far now: in the next step it is seen to which ranks.
 void DistributedWorld::State::arrive() {
   for (const auto& [id, way] : ways_) {
-    Copy& one = copy(local_.at(id));
-    if (one.lives_here) one.change = Change::moved;
+    const BodyId local = local_.at(id);
+    if (copy(local).lives_here) note(local, Change::reach);
   }
   ways_.clear();
 }
@@ -350,6 +386,18 @@ void DistributedWorld::State::count_costs() {
     ++copies_[pair.first].cost;
     ++copies_[pair.second].cost;
   }
+  DistributedCosts& costs = last_.costs;
+  costs.bodies = costs.ghosts_elsewhere = 0;
+  cost_of_here_ = 0;
+  std::vector<bool> has_ghosts(static_cast<std::size_t>(ranks_.count()));
+  for (const Copy& one : copies_) {
+    if (!one.lives_here) continue;
+    ++costs.bodies;
+    cost_of_here_ += one.cost;
+    costs.ghosts_elsewhere += one.holders.size();
+    for (const int holder : one.holders) has_ghosts[static_cast<std::size_t>(holder)] = true;
+  }
+  costs.neighbours = static_cast<std::size_t>(std::count(has_ghosts.begin(), has_ghosts.end(), true));
 }
 
 }  // namespace toccata

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// In front of each file. The number tells that the machine that reads has its numbers as that which wrote.
 struct FileHead {
   std::array<char, 24> words{'T', 'o', 'c', 'c', 'a', 't', 'a', ' ', 'c', 'h', 'e',
-                             'c', 'k', 'p', 'o', 'i', 'n', 't', ' ', '1', '\n'};
+                             'c', 'k', 'p', 'o', 'i', 'n', 't', ' ', '2', '\n'};
   double number = 0x1.23456789abcdep-3;
   std::uint64_t size = 0;
   std::uint64_t sum = 0;
@@ -87,9 +87,9 @@ Bytes DistributedWorld::State::bytes_of_bodies() const {
   ModelStore models(0);  // each shared model is written once
   MessageWriter writer;
   const std::vector<GlobalId> ids = bodies();
-  writer.put(std::uint64_t{ids.size()});
+  writer.put_number(ids.size());
   for (const GlobalId id : ids) {
-    writer.put(id);
+    writer.put_number(id);
     put_body(writer, body(id), models, reader, ModelGoes::once);
     put_rules(writer, id);
   }
@@ -125,8 +125,8 @@ void DistributedWorld::State::save(const std::filesystem::path& folder) {
 void DistributedWorld::State::want_bodies_of(std::span<const std::byte> bytes) {
   ModelStore models(1);
   MessageReader reader(bytes);
-  for (auto count = reader.get<std::uint64_t>(); count > 0; --count) {
-    const auto id = reader.get<GlobalId>();
+  for (std::uint64_t count = reader.get_number(); count > 0; --count) {
+    const GlobalId id = reader.get_number();
     wanted.added.push_back({id, get_body(reader, models)});
     // Both bodies have a rule: that of the lesser counts.
     for (const auto& [other, rule] : get_rules(reader))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -54,6 +55,15 @@ struct WantedChanges {
   std::vector<GlobalPairRule> rules;
   std::vector<GlobalPairRule> rules_of_all;  ///< filled in: of all ranks, first those that end with a body
 
+  /// Once they are in messages: many may be all that there is memory for.
+  void free_bodies() {
+    added = {};
+    boxes_of_added = {};
+    moved = {};
+    bodies_deformed = {};
+    replaced = {};
+  }
+
   [[nodiscard]] bool is_empty() const {
     return added.empty() && moved.empty() && deformed.empty() && replaced.empty() && removed.empty() && rules.empty();
   }
@@ -72,6 +82,31 @@ enum class BodyMessage : std::uint8_t {
   move,    ///< its place
   leave,   ///< its place, and that the rank gives it up after the step
   remove,  ///< it is there no more
+};
+
+/// What a rank that has a body has to be told of its place.
+enum class PlaceMessage : std::uint8_t { none, offset, pose, way };
+
+/// What a message about a body begins with, before its id.
+struct BodyHead {
+  BodyMessage message = BodyMessage::move;
+  PlaceMessage place = PlaceMessage::none;  ///< of `put`, which has the pose, none or a way
+  bool is_new_home = false;                 ///< it lives there from now on
+  bool is_deformed = false;                 ///< its mesh is its own
+  bool has_rules = false;
+};
+
+/// Tells the seconds since it was made, or since it told them last.
+class LapClock {
+ public:
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(begin_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
 };
 
 /// A pair that the World of this rank tells, whichever rank is to tell it.
@@ -107,7 +142,14 @@ class DistributedWorld::State {
   void load(const std::filesystem::path& folder);
 
  private:
-  enum class Change : std::uint8_t { none, moved, replaced };
+  /// Each means those before it too.
+  enum class Change : std::uint8_t {
+    none,
+    reach,     ///< it may reach other ranks
+    shifted,   ///< its offset is another
+    moved,     ///< its pose is another
+    replaced,  ///< all of it is
+  };
 
   /// A body in the World of this rank, by its index there.
   struct Copy {
@@ -126,8 +168,8 @@ class DistributedWorld::State {
   };
   /// What this rank is told in a step, sorted out.
   struct News {
-    std::vector<GlobalId> removed;
-    std::vector<PutBody> put;
+    std::vector<PutBody> put;          ///< the next few: they are put here before others are read
+    std::vector<GlobalId> with_rules;  ///< of all that are put
     std::vector<WantedPlace> places;
     std::vector<GlobalId> leaving;
     std::vector<std::pair<GlobalId, std::vector<int>>> homes;  ///< what lives here from now on, and who else has it
@@ -165,21 +207,23 @@ class DistributedWorld::State {
 
   // Bodies go where they belong (body_exchange.cpp).
   void apply(const WantedChanges& changes, Letters& letters);
+  /// Of a body that lives here.
+  void note(BodyId local, Change change);
   /// Divides space anew where that is worth it.
   void divide(const WantedChanges& changes);
   [[nodiscard]] double imbalance_of(const WantedChanges& changes);
   void send_where_they_belong(const WantedChanges& changes, Letters& letters);
   void send(BodyId local, Letters& letters);
   void send_new(const GlobalBody& added, const BodyBoxes& boxes, Letters& letters);
-  void put_home(MessageWriter& letter, int to, int home, std::span<const int> holders) const;
-  void put_way(MessageWriter& letter, GlobalId id) const;
-  void put_place(MessageWriter& letter, BodyId local) const;
-  void put_whole(MessageWriter& letter, BodyId local, int to);
-  [[nodiscard]] static std::optional<RigidMotion> get_way(MessageReader& reader);
-  [[nodiscard]] News read(std::span<const Received> letters);
+  [[nodiscard]] PlaceMessage place_message_of(BodyId local) const;
+  void put_place(MessageWriter& letter, PlaceMessage place, BodyId local) const;
+  void put_whole(MessageWriter& letter, BodyId local, int to, int home, std::span<const int> holders);
+  [[nodiscard]] WantedPlace get_place(MessageReader& reader, PlaceMessage place, GlobalId id) const;
+  void read_removed(MessageReader& reader);
+  void read(MessageReader& reader, News& news);
   void receive(const WantedChanges& changes, std::span<const Received> letters);
   void remove_here(GlobalId id);
-  void put_here(News& news);
+  void put_here(std::vector<PutBody>& put);
   void go(std::span<const WantedPlace> places);
   void come_to_live_here(BodyId local, std::span<const int> holders);
   void give_up_what_left();
@@ -192,6 +236,7 @@ class DistributedWorld::State {
   void require_whole() const;
 
   // Pairs are told by one rank each (pair_tellers.cpp).
+  void make_step(WantedChanges& changes, LapClock& clock);
   void find_pairs();
   /// What each rank found, and what this one tells of it.
   void tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now);
@@ -199,6 +244,7 @@ class DistributedWorld::State {
   [[nodiscard]] std::vector<LocalPair> found_pairs() const;
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
   void add_details(std::span<GlobalPairReport> pairs) const;
+  /// What each body costs, and what there is here.
   void count_costs();
 
   // Questions (global_queries.cpp).
@@ -232,6 +278,8 @@ class DistributedWorld::State {
   std::map<GlobalId, GlobalWay> ways_;            ///< of bodies that are here, in the step that is being made
   std::unordered_set<GlobalId> removed_;  ///< in this step, of bodies that were here: who has the id now is another
   std::vector<BodyId> leaving_;
+  std::vector<BodyId> changed_;     ///< live here and are not as they were in the last step, or have been removed
+  std::uint64_t cost_of_here_ = 0;  ///< of all that live here, as they were in the last step
   std::vector<GlobalPairReport> told_;
   DistributedStep last_;
   double imbalance_left_ = 1;  ///< when space was divided last

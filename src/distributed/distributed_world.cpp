@@ -55,7 +55,10 @@ void DistributedWorld::add(std::span<const GlobalBody> bodies) {
 void DistributedWorld::move(std::span<const GlobalId> ids, std::span<const Pose> poses) {
   if (ids.size() != poses.size())
     throw Error(fmt::format("{} bodies are named and {} poses given; give one for each", ids.size(), poses.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i) state_->wanted.moved.push_back({ids[i], poses[i]});
+  std::vector<WantedPlace>& moved = state_->wanted.moved;
+  const std::size_t before = moved.size();
+  moved.resize(before + ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) moved[before + i] = {ids[i], poses[i]};
 }
 
 void DistributedWorld::move_along(std::span<const GlobalId> ids, std::span<const RigidMotion> motions) {
@@ -97,6 +100,7 @@ bool DistributedWorld::lives_here(GlobalId id) const { return state_->lives_here
 const Body& DistributedWorld::body(GlobalId id) const { return state_->body(id); }
 int DistributedWorld::rank() const { return state_->ranks().rank(); }
 int DistributedWorld::rank_count() const { return state_->ranks().count(); }
+double DistributedWorld::seconds_waited() const { return state_->ranks().seconds_waited(); }
 
 std::vector<std::optional<GlobalAnswer<RayHit>>> DistributedWorld::cast_ray_each(std::span<const Ray> rays) {
   return state_->cast_ray_each(rays);

@@ -24,10 +24,16 @@ class MessageWriter {
   requires std::is_trivially_copyable_v<T>
   void put(const T& value) { append(&value, sizeof(T)); }
 
+  /// A whole number that is small as a rule: a byte for each seven bits that it has.
+  void put_number(std::uint64_t number) {
+    for (; number >= 0x80; number >>= 7) put(static_cast<std::uint8_t>(number | 0x80));
+    put(static_cast<std::uint8_t>(number));
+  }
+
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void put_all(std::span<const T> values) {
-    put(std::uint64_t{values.size()});
+    put_number(values.size());
     append(values.data(), values.size_bytes());
   }
 
@@ -60,10 +66,20 @@ class MessageReader {
     return *std::launder(reinterpret_cast<T*>(place));
   }
 
+  [[nodiscard]] std::uint64_t get_number() {
+    std::uint64_t number = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      const auto byte = get<std::uint8_t>();
+      number |= std::uint64_t{byte & 0x7fU} << shift;
+      if (byte < 0x80) return number;
+    }
+    throw Error("a message between ranks has a number of more than 64 bits");
+  }
+
   template <class T>
   requires std::is_trivially_copyable_v<T>
   [[nodiscard]] std::vector<T> get_all() {
-    const auto count = get<std::uint64_t>();
+    const std::uint64_t count = get_number();
     if (count > rest_.size() / sizeof(T)) throw Error("a message between ranks ends too early");
     std::vector<T> values(count);
     if (count > 0) std::memcpy(values.data(), take(count * sizeof(T)), count * sizeof(T));

@@ -38,7 +38,7 @@ struct PutShape {
     writer.put_all(std::span<const Index>(faces));
   }
   void operator()(const Compound& compound) const {
-    writer.put(std::uint64_t{compound.parts().size()});
+    writer.put_number(compound.parts().size());
     for (const CompoundPart& part : compound.parts()) {
       put_shape(writer, part.shape);
       writer.put(part.pose);
@@ -85,7 +85,7 @@ struct GetShape {
   }
   Compound operator()(Of<Compound>) const {
     std::vector<CompoundPart> parts;
-    for (auto count = reader.get<std::uint64_t>(); count > 0; --count) {
+    for (std::uint64_t count = reader.get_number(); count > 0; --count) {
       Shape shape = get_shape(reader);
       parts.push_back({std::move(shape), reader.get<Pose>()});
     }
@@ -135,8 +135,21 @@ ModelStore::Name ModelStore::name_of(const Model& model, const void* identity) {
   return name;
 }
 
+/// A small model has none, in a byte.
+void ModelStore::put_name(MessageWriter& writer, const Name& name) {
+  writer.put_number(static_cast<std::uint64_t>(name.rank + 1));
+  if (name.rank >= 0) writer.put_number(name.number);
+}
+
+ModelStore::Name ModelStore::get_name(MessageReader& reader) {
+  Name name;
+  name.rank = static_cast<std::int32_t>(reader.get_number()) - 1;
+  if (name.rank >= 0) name.number = static_cast<std::uint32_t>(reader.get_number());
+  return name;
+}
+
 void ModelStore::put_whole(MessageWriter& writer, const Model& model) {
-  writer.put(Name{});
+  put_name(writer, {});
   put_shape(writer, model.shape());
 }
 
@@ -148,13 +161,13 @@ void ModelStore::put(MessageWriter& writer, const Model& model, int to) {
   }
   const Name name = name_of(model, identity);
   const bool is_new = to != rank_ && sent_.emplace(to, name).second;
-  writer.put(name);
+  put_name(writer, name);
   writer.put(is_new);
   if (is_new) put_shape(writer, model.shape());
 }
 
 Model ModelStore::get(MessageReader& reader) {
-  const auto name = reader.get<Name>();
+  const Name name = get_name(reader);
   if (name.rank < 0) return Model(get_shape(reader));
   if (reader.get<bool>()) {
     // Several ranks may send the same.

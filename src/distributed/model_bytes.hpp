@@ -37,6 +37,8 @@ class ModelStore {
 
   /// Where the parts of a large model are, which its copies share; null for a small one.
   [[nodiscard]] static const void* identity_of(const Shape& shape);
+  static void put_name(MessageWriter& writer, const Name& name);
+  [[nodiscard]] static Name get_name(MessageReader& reader);
   Name name_of(const Model& model, const void* identity);
 
   int rank_;

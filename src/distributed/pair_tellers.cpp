@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <iterator>
 
@@ -14,6 +13,11 @@ namespace {
 using PairOfIds = std::pair<GlobalId, GlobalId>;
 
 PairOfIds ids_of(const GlobalPairReport& report) { return {report.a, report.b}; }
+
+void put_ids(MessageWriter& letter, const PairOfIds& ids) {
+  letter.put_number(ids.first);
+  letter.put_number(ids.second);
+}
 
 bool is_of_lesser_ids(const LocalPair& a, const LocalPair& b) { return ids_of(a.report) < ids_of(b.report); }
 
@@ -96,12 +100,12 @@ void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector
     else if (at->teller == ranks_.rank())
       before.push_back(ids_of(told));
     else
-      letters[at->teller].put(std::array{told.a, told.b});
+      put_ids(letters[at->teller], ids_of(told));
   }
   for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();) {
-      const auto [a, b] = reader.get<std::array<GlobalId, 2>>();
-      before.emplace_back(a, b);
+      const GlobalId a = reader.get_number();
+      before.emplace_back(a, reader.get_number());
     }
   std::sort(before.begin(), before.end());
 
@@ -117,48 +121,63 @@ void DistributedWorld::State::require_whole() const {
   if (!broken_.empty()) throw Error(broken_);
 }
 
-const DistributedStep& DistributedWorld::State::step() {
-  WantedChanges changes = std::exchange(wanted, {});
-  require_whole();
-  check(changes);
-  const std::uint64_t sent_before = ranks_.bytes_sent();
-  last_.costs.came = 0;
+/// Once what is wanted is found right.
+void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock) {
+  DistributedSeconds& seconds = last_.costs.seconds;
   const auto all_do = [&](auto work) {
     ranks_.all_do([&] {
       work();
       return false;
     });
   };
+  Letters letters;
+  all_do([&] { apply(changes, letters); });
+  seconds.changes = clock.lap();
+  divide(changes);
+  seconds.division = clock.lap();
+  all_do([&] { send_where_they_belong(changes, letters); });
+  changes.free_bodies();
+  const std::vector<Received> received = ranks_.exchange(letters);
+  seconds.sending = clock.lap();
+  all_do([&] {
+    receive(changes, received);
+    seconds.receiving = clock.lap();
+    find_pairs();
+  });
+  seconds.pairs = clock.lap();
+  std::vector<LocalPair> found;
+  std::vector<GlobalPairReport> now;
+  all_do([&] {
+    found = found_pairs();
+    for (const LocalPair& pair : found)
+      if (pair.teller == ranks_.rank()) now.push_back(pair.report);
+    add_details(now);
+  });
+  tell(found, std::move(now));
+  arrive();
+  count_costs();
+  give_up_what_left();
+  last_.costs.ghosts = world_.size() - last_.costs.bodies;
+  seconds.telling = clock.lap();
+}
+
+const DistributedStep& DistributedWorld::State::step() {
+  WantedChanges changes = std::exchange(wanted, {});
+  require_whole();
+  const std::uint64_t sent_before = ranks_.bytes_sent(), collectives_before = ranks_.collectives();
+  const double waited_before = ranks_.seconds_waited();
+  LapClock clock;
+  check(changes);
+  last_.costs.came = 0;
   try {
-    Letters letters;
-    all_do([&] { apply(changes, letters); });
-    divide(changes);
-    all_do([&] { send_where_they_belong(changes, letters); });
-    const std::vector<Received> received = ranks_.exchange(letters);
-    all_do([&] {
-      receive(changes, received);
-      find_pairs();
-    });
-    std::vector<LocalPair> found;
-    std::vector<GlobalPairReport> now;
-    all_do([&] {
-      found = found_pairs();
-      for (const LocalPair& pair : found)
-        if (pair.teller == ranks_.rank()) now.push_back(pair.report);
-      add_details(now);
-    });
-    tell(found, std::move(now));
-    arrive();
-    count_costs();
-    give_up_what_left();
+    make_step(changes, clock);
   } catch (const std::exception& error) {
     broken_ = std::string("nothing more can be asked of bodies whose step failed: ") + error.what();
     throw;
   }
-  const auto live_here = std::count_if(copies_.begin(), copies_.end(), [](const Copy& one) { return one.lives_here; });
-  last_.costs.bodies = static_cast<std::size_t>(live_here);
-  last_.costs.ghosts = world_.size() - last_.costs.bodies;
   last_.costs.bytes_sent = ranks_.bytes_sent() - sent_before;
+  last_.costs.collectives = ranks_.collectives() - collectives_before;
+  last_.costs.seconds.waiting = ranks_.seconds_waited() - waited_before;
   return last_;
 }
 

@@ -85,20 +85,23 @@ void Ranks::check(int code, const char* call) {
 void Ranks::wait(FunctionRef<bool()> is_done) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begin = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  ++collectives_;
   while (!is_done()) {
-    const std::chrono::duration<double> waited = Clock::now() - begin;
-    if (waited.count() > patience_seconds_) {
+    const double waited = seconds();
+    if (waited > patience_seconds_) {
       broken_ = fmt::format(
           "rank {}: the other ranks have not answered for {} s: one of them has ended, or calls something else", rank_,
           patience_seconds_);
       throw Error(broken_);
     }
     // Ranks may share a core.
-    if (waited.count() > 0.1)
+    if (waited > 0.1)
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     else
       std::this_thread::yield();
   }
+  seconds_waited_ += seconds();
 }
 
 namespace {

@@ -34,6 +34,10 @@ class Ranks {
   [[nodiscard]] int count() const { return count_; }
   /// By this rank to others, in messages of `exchange` and `of_all`, since it was made.
   [[nodiscard]] std::uint64_t bytes_sent() const { return bytes_sent_; }
+  /// Reductions, and barriers of `exchange` and `of_all`, since it was made.
+  [[nodiscard]] std::uint64_t collectives() const { return collectives_; }
+  /// For messages and other ranks, since it was made.
+  [[nodiscard]] double seconds_waited() const { return seconds_waited_; }
 
   /// Each number becomes the sum of that of all ranks, or the least of them. The same bits on all of them.
   void add_up(std::span<std::uint64_t> numbers);
@@ -74,6 +78,8 @@ class Ranks {
   int count_ = 1;
   int exchanges_ = 0;
   std::uint64_t bytes_sent_ = 0;
+  std::uint64_t collectives_ = 0;
+  double seconds_waited_ = 0;
   std::string broken_;  ///< why no more calls are possible
 };
 

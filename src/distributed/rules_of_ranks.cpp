@@ -21,8 +21,8 @@ std::pair<GlobalId, GlobalId> bodies_of(const GlobalPairRule& rule) {
 }
 
 void put_rule(MessageWriter& writer, const GlobalPairRule& rule) {
-  writer.put(rule.a);
-  writer.put(rule.b);
+  writer.put_number(rule.a);
+  writer.put_number(rule.b);
   writer.put(rule.excluded);
   writer.put(rule.margin.has_value());
   writer.put(rule.margin.value_or(0));
@@ -30,8 +30,8 @@ void put_rule(MessageWriter& writer, const GlobalPairRule& rule) {
 
 GlobalPairRule get_rule(MessageReader& reader) {
   GlobalPairRule rule;
-  rule.a = reader.get<GlobalId>();
-  rule.b = reader.get<GlobalId>();
+  rule.a = reader.get_number();
+  rule.b = reader.get_number();
   rule.excluded = reader.get<bool>();
   const bool has_margin = reader.get<bool>();
   const auto margin = reader.get<double>();
@@ -40,12 +40,12 @@ GlobalPairRule get_rule(MessageReader& reader) {
 }
 
 void put_all_rules(MessageWriter& writer, std::span<const GlobalPairRule> rules) {
-  writer.put(std::uint64_t{rules.size()});
+  writer.put_number(rules.size());
   for (const GlobalPairRule& rule : rules) put_rule(writer, rule);
 }
 
 void get_all_rules(MessageReader& reader, std::vector<GlobalPairRule>& rules) {
-  for (auto count = reader.get<std::uint64_t>(); count > 0; --count) rules.push_back(get_rule(reader));
+  for (std::uint64_t count = reader.get_number(); count > 0; --count) rules.push_back(get_rule(reader));
 }
 
 }  // namespace
@@ -130,8 +130,7 @@ void DistributedWorld::State::follow(const WantedChanges& changes) {
       rules_[id].insert_or_assign(other, rule);
     // Its box may reach other ranks now.
     if (local == local_.end() || !copy(local->second).lives_here) return;
-    Copy& one = copy(local->second);
-    one.change = std::max(one.change, Change::moved);
+    note(local->second, Change::reach);
   };
   for (const GlobalPairRule& rule : changes.rules_of_all) {
     say(rule.a, rule.b, rule_of(rule));
@@ -147,9 +146,9 @@ void DistributedWorld::State::tell_rules(const WantedChanges& changes, const New
       rules.push_back({first->second, second->second, rule.excluded, rule.margin});
   };
   for (const GlobalPairRule& rule : changes.rules_of_all) tell(rule.a, rule.b, rule_of(rule));
-  for (const PutBody& one : news.put)
-    if (const auto found = rules_.find(one.given.id); found != rules_.end())
-      for (const auto& [other, rule] : found->second) tell(one.given.id, other, rule);
+  for (const GlobalId id : news.with_rules)
+    if (const auto found = rules_.find(id); found != rules_.end())
+      for (const auto& [other, rule] : found->second) tell(id, other, rule);
   if (!rules.empty()) world_.set_rules(rules);
   // What came from here and went elsewhere, and what has no rules left.
   std::erase_if(rules_, [&](const auto& one) { return one.second.empty() || !local_.contains(one.first); });

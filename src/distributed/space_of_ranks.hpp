@@ -19,12 +19,20 @@ namespace toccata {
 /// multiprocessors", 1987.)
 class SpaceOfRanks {
  public:
+  /// Below it is what has a coordinate less than `at`.
+  struct Plane {
+    int axis = 0;
+    double at = 0;
+  };
+
   /// Into so many parts, of which the first has all.
   explicit SpaceOfRanks(int parts);
   /// Such that all parts have about as much of the costs. Collective; a place counts what it costs.
   SpaceOfRanks(Ranks& ranks, std::span<const Vec3> places, std::span<const std::uint64_t> costs);
 
   [[nodiscard]] int part_of(const Vec3& place) const;
+  /// That of a piece, then those of its lower side, then those of its upper one.
+  [[nodiscard]] std::span<const Plane> planes() const { return planes_; }
 
   /// Calls `visit(part)` for each part that has a point of the closed box, ascending.
   template <class Visit>
@@ -33,11 +41,6 @@ class SpaceOfRanks {
   }
 
  private:
-  /// Below it is what has a coordinate less than `at`.
-  struct Plane {
-    int axis = 0;
-    double at = 0;
-  };
   /// The parts [first, end), which still are one piece, and the plane that is to divide them if there are several.
   struct Piece {
     int first = 0;
@@ -64,7 +67,6 @@ class SpaceOfRanks {
   }
 
   int parts_;
-  /// That of a piece, then those of its lower side, then those of its upper one.
   std::vector<Plane> planes_;
 };
 

@@ -26,11 +26,11 @@ std::vector<OptionValue> values_of(const DistributedOptions& options) {
       {"most_imbalance", options.most_imbalance}};
 }
 
-/// Of an id that is given or ends, to the rank where it is registered.
-struct Registration {
-  GlobalId id = 0;
-  bool is_new = false;
-};
+/// Goes to the rank where the id is registered, when it is given or ends.
+void put_registration(MessageWriter& letter, GlobalId id, bool is_new) {
+  letter.put(is_new);
+  letter.put_number(id);
+}
 
 /// Throws Error naming the body as the World does that refuses one.
 std::vector<BodyId> added_to(World& world, std::span<const GlobalBody> wanted) {
@@ -43,11 +43,18 @@ std::vector<BodyId> added_to(World& world, std::span<const GlobalBody> wanted) {
   return ids;
 }
 
-/// As a World has them.
+/// As a World has them. It is one of few bodies at a time, so that it takes little memory.
 std::vector<BodyBoxes> boxes_of(std::span<const GlobalBody> wanted) {
-  World world;
+  constexpr std::size_t at_a_time = 4096;
   std::vector<BodyBoxes> boxes;
-  for (const BodyId id : added_to(world, wanted)) boxes.push_back({world.box(id), world.broad_phase().box(id.index)});
+  boxes.reserve(wanted.size());
+  while (!wanted.empty()) {
+    World world;
+    const std::size_t count = std::min(at_a_time, wanted.size());
+    for (const BodyId id : added_to(world, wanted.first(count)))
+      boxes.push_back({world.box(id), world.broad_phase().box(id.index)});
+    wanted = wanted.subspan(count);
+  }
   return boxes;
 }
 
@@ -161,16 +168,16 @@ int DistributedWorld::State::registrar_of(GlobalId id) const {
 
 void DistributedWorld::State::register_ids(const WantedChanges& changes) {
   Letters letters;
-  for (const GlobalId id : changes.removed) letters[registrar_of(id)].put(Registration{id, false});
-  for (const GlobalBody& added : changes.added) letters[registrar_of(added.id)].put(Registration{added.id, true});
+  for (const GlobalId id : changes.removed) put_registration(letters[registrar_of(id)], id, false);
+  for (const GlobalBody& added : changes.added) put_registration(letters[registrar_of(added.id)], added.id, true);
   std::unordered_set<GlobalId> ended;
   std::vector<std::pair<GlobalId, int>> begun;
   for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();)
-      if (const auto one = reader.get<Registration>(); one.is_new)
-        begun.emplace_back(one.id, received.from);
+      if (reader.get<bool>())
+        begun.emplace_back(reader.get_number(), received.from);
       else
-        ended.insert(one.id);
+        ended.insert(reader.get_number());
   std::unordered_map<GlobalId, int> given;
   ranks_.all_do([&] {
     for (const auto& [id, rank] : begun) {

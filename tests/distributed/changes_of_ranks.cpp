@@ -20,26 +20,6 @@
 namespace toccata::test {
 namespace {
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
-void expect_message(const std::function<void()>& call, const std::string& words) {
-  const std::string message = message_of(call);
-  EXPECT_NE(message.find(words), std::string::npos) << message;
-}
-
-std::vector<Body> row_of_spheres(int count) {
-  std::vector<Body> bodies;
-  for (int i = 0; i < count; ++i) bodies.push_back({Sphere(0.6), Pose::translation(i, 0, 0)});
-  return bodies;
-}
-
 /// Each pair of boxes is looked at by one rank, in the first step and while nothing moves.
 TEST(ChangesOfRanks, LookAtEachPairOnce) {
   TwinWorlds twins;
@@ -332,6 +312,41 @@ TEST(ChangesOfRanks, ComeBackFromAFolder) {
   // From here on it lives on as if it had never been away.
   twins.distributed = DistributedWorld::load(all_ranks(), folder);
   let_live(twins, random, 4);
+}
+
+/// Half of the ranks have all bodies and save them; all ranks load them.
+TEST(ChangesOfRanks, ComeBackOnMoreRanks) {
+  const int rank = our_ranks().rank(), count = our_ranks().count();
+  const bool takes_part = rank < std::max(1, count / 2);
+  const fs::path folder = new_folder("of-fewer");
+  MPI_Comm fewer = MPI_COMM_NULL;
+  MPI_Comm_split(MPI_COMM_WORLD, takes_part ? 0 : 1, rank, &fewer);
+  std::vector<ToldPair> own_saved;
+  if (takes_part) {
+    Random random(12);
+    DistributedWorld saved({MPI_Comm_c2f(fewer)});
+    for (GlobalId id = 0; id < 60; ++id) {
+      const GlobalBody body{7 * id, random_body("any", random)};
+      if (rank == 0) saved.add({&body, 1});
+    }
+    const GlobalPairRule far{0, 7 * 59, false, 30};
+    if (rank == 0) saved.set_rules({&far, 1});
+    saved.step();
+    saved.save(folder);
+    own_saved = TwinWorlds::own_told(saved.pairs());
+  }
+  std::vector<ToldPair> expected = gathered(own_saved);
+  std::sort(expected.begin(), expected.end());
+  MPI_Comm_free(&fewer);
+  DistributedWorld loaded = DistributedWorld::load(all_ranks(), folder);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(TwinWorlds::all_told(loaded.pairs()), expected);
+  EXPECT_EQ(gathered(loaded.bodies()).size(), 60U);
+  EXPECT_EQ(gathered(std::vector<int>(loaded.bodies().empty() ? 0 : 1)).size(), static_cast<std::size_t>(count))
+      << "each rank has some";
+  loaded.step();
+  EXPECT_TRUE(loaded.last_step().begin.empty() && loaded.last_step().end.empty());
+  EXPECT_EQ(TwinWorlds::all_told(loaded.last_step().persist), expected);
 }
 
 TEST(ChangesOfRanks, RefuseADamagedFolder) {

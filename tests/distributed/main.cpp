@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "distributed/before_mpi.hpp"
+
 int main(int count, char** words) {
+  toccata::test::try_before_mpi();
   int provided = 0;
   MPI_Init_thread(&count, &words, MPI_THREAD_FUNNELED, &provided);
   testing::InitGoogleTest(&count, words);

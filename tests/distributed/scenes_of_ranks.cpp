@@ -1,4 +1,3 @@
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -128,15 +127,6 @@ TEST(ScenesOfRanks, ReadOnlyWhatTheirPairsNeed) {
   std::size_t candidates = 0;
   for (const std::size_t one : gathered(std::vector{scene.costs().candidates})) candidates += one;
   EXPECT_EQ(candidates, 63U);
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(ScenesOfRanks, TellAllRanksOfAPartThatCannotBeRead) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "distributed/ranks.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/distributed.hpp"
 #include "toccata/world/world.hpp"
 
@@ -30,6 +32,27 @@ std::vector<T> gathered(const std::vector<T>& own) {
   for (const Bytes& bytes : our_ranks().of_all(writer.take()))
     for (const T& one : MessageReader(bytes).get_all<T>()) all.push_back(one);
   return all;
+}
+
+inline std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+inline void expect_message(const std::function<void()>& call, const std::string& words) {
+  const std::string message = message_of(call);
+  EXPECT_NE(message.find(words), std::string::npos) << message;
+}
+
+/// Touching spheres, each two next to each other.
+inline std::vector<Body> row_of_spheres(int count) {
+  std::vector<Body> bodies;
+  for (int i = 0; i < count; ++i) bodies.push_back({Sphere(0.6), Pose::translation(i, 0, 0)});
+  return bodies;
 }
 
 struct ToldPair {

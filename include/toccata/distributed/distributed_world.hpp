@@ -40,7 +40,8 @@ struct GlobalPairRule {
   std::optional<double> margin{};
 };
 
-/// Equal on all ranks, else Error.
+/// Equal on all ranks, else Error; but for `world.threads`, `world.broad_phase` and `patience_seconds`, on which no
+/// answer depends.
 struct DistributedOptions {
   WorldOptions world{};
   /// Bodies are divided anew when the rank that has most to do has more than this times the average. Above 1.
@@ -57,15 +58,30 @@ struct GlobalPairReport {
   std::shared_ptr<const PairDetails> details{};
 };
 
+/// How long a step took on this rank, in seconds: the first six together all of it.
+struct DistributedSeconds {
+  double changes = 0;    ///< to see whether what is wanted is right on all ranks, and to do it to the bodies of here
+  double division = 0;   ///< to count how even the ranks' work is, and to divide space anew
+  double sending = 0;    ///< to find which ranks each body reaches, and to write and exchange the messages
+  double receiving = 0;  ///< to take up what came: other places, ghosts, and bodies that live here from now on
+  double pairs = 0;      ///< to find and decide the pairs
+  double telling = 0;    ///< to tell which begin, persist and end, and to give up what has left
+  double waiting = 0;    ///< in all of these: for messages, and for ranks that are not as far
+};
+
 /// What a step took on this rank, and on all.
 struct DistributedCosts {
-  std::size_t bodies = 0;        ///< that live here
-  std::size_t ghosts = 0;        ///< that live elsewhere and reach into this rank's part of space
-  std::size_t came = 0;          ///< that live here since this step
+  std::size_t bodies = 0;            ///< that live here
+  std::size_t ghosts = 0;            ///< that live elsewhere and reach into this rank's part of space
+  std::size_t ghosts_elsewhere = 0;  ///< of the bodies that live here, on all other ranks
+  std::size_t neighbours = 0;        ///< ranks that have these
+  std::size_t came = 0;              ///< that live here since this step
   std::size_t candidates = 0;    ///< pairs looked at here: those that this rank tells if they are told, and told before
   std::uint64_t bytes_sent = 0;  ///< by this rank
-  double imbalance = 1;          ///< what the busiest rank has to do over the average, counted in bodies and pairs
-  bool was_divided = false;      ///< space was divided anew
+  std::uint64_t collectives = 0;  ///< reductions and barriers that all ranks waited for
+  double imbalance = 1;           ///< what the busiest rank has to do over the average, counted in bodies and pairs
+  bool was_divided = false;       ///< space was divided anew
+  DistributedSeconds seconds{};
 };
 
 /// What a step found, of the pairs that this rank tells. Each list is ascending by (a, b); a pair is in the lists of
@@ -150,6 +166,8 @@ class DistributedWorld {
 
   [[nodiscard]] int rank() const;
   [[nodiscard]] int rank_count() const;
+  /// How long this rank has waited for messages and other ranks, in all collective calls since it was made.
+  [[nodiscard]] double seconds_waited() const;
 
   // Questions to the bodies of all ranks, as WorldQueries answer them about one World that has all, as they were in the
   // last step. Collective: each rank asks its own, also none. Answer i is about question i; where several bodies are as
