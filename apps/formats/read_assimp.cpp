@@ -43,6 +43,9 @@ Json json_of(const aiMesh& mesh) {
   std::map<std::array<float, 3>, std::uint32_t> known;
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D& at = mesh.mVertices[i];
+    if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
+      throw std::runtime_error(
+          fmt::format("vertex {} of the mesh {} is no number; export it again", i, mesh.mName.C_Str()));
     const auto number = static_cast<std::uint32_t>(vertices.size() / 3);
     const auto [found, is_new] = known.try_emplace({at.x + 0.0F, at.y + 0.0F, at.z + 0.0F}, number);
     if (is_new) vertices.insert(vertices.end(), {at.x, at.y, at.z});
@@ -51,6 +54,21 @@ Json json_of(const aiMesh& mesh) {
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces))
     for (unsigned i = 0; i < 3; ++i) triangles.push_back(vertex_of.at(face.mIndices[i]));
   return {{"vertices", base64_of(vertices)}, {"triangles", base64_of(triangles)}};
+}
+
+/// The name in UTF-8. Bytes that are none are shown as numbers, so that names that differ stay different.
+std::string text_of(const aiString& name) {
+  const std::string bytes(name.C_Str(), name.length);
+  try {
+    static_cast<void>(Json(bytes).dump());
+    return bytes;
+  } catch (const Json::type_error&) {
+    std::string text;
+    for (const char c : bytes)
+      text += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c)
+                                                   : fmt::format("\\x{:02X}", static_cast<unsigned char>(c));
+    return text;
+  }
 }
 
 bool has_triangles(const aiMesh& mesh) {
@@ -96,7 +114,7 @@ class SceneOfNodes {
     for (const unsigned number : std::span(node.mMeshes, node.mNumMeshes))
       add_part(*scene_.mMeshes[number], number, frame, node.mNumMeshes > 1 || path.empty() ? path + "/" : path);
     for (const aiNode* child : std::span(node.mChildren, node.mNumChildren)) {
-      const std::string name = child->mName.length == 0 ? "part" : child->mName.C_Str();
+      const std::string name = child->mName.length == 0 ? "part" : text_of(child->mName);
       add(*child, path.empty() ? name : path + "/" + name, frame, depth + 1);
     }
   }
@@ -104,7 +122,7 @@ class SceneOfNodes {
   /// A path that ends with a slash has the mesh's own name behind.
   void add_part(const aiMesh& mesh, unsigned number, const std::string& frame, const std::string& path) {
     if (!has_triangles(mesh)) return;
-    const std::string own = mesh.mName.length == 0 ? "part" : mesh.mName.C_Str();
+    const std::string own = mesh.mName.length == 0 ? "part" : text_of(mesh.mName);
     const std::string name = path == "/" ? own : path.ends_with('/') ? path + own : path;
     const std::string shape = fmt::format("{} ({})", own, number);
     if (!meshes_.contains(shape)) meshes_[shape] = json_of(mesh);
@@ -117,8 +135,8 @@ class SceneOfNodes {
   PartNames names_;
 };
 
-/// As a scene file has it. Assimp makes metres of Collada, and tells of FBX how many centimetres its unit is; of what
-/// other formats have nothing is known.
+/// The unit as a scene file has it. Assimp makes metres of Collada, and gives the centimetres of an FBX file's unit,
+/// rounded to a float. Nothing is known about the other formats.
 Json unit_of(const aiScene& scene, const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -129,15 +147,18 @@ Json unit_of(const aiScene& scene, const std::string& file) {
   float single = 1;
   if (scene.mMetaData != nullptr) {
     if (!scene.mMetaData->Get("UnitScaleFactor", centimetres) && scene.mMetaData->Get("UnitScaleFactor", single))
-      centimetres = single;
+      centimetres = std::stod(fmt::format("{}", single));  // 2.54, and not the float nearest to it
   }
-  if (!(centimetres > 0) || !std::isfinite(centimetres)) return "unit";
+  if (!(centimetres > 0) || !std::isfinite(centimetres))
+    throw std::runtime_error("the length of its unit is no number above 0; export it again");
   if (centimetres == 1) return "cm";
   return centimetres == 100 ? Json("m") : Json(centimetres / 100);
 }
 
 void convert(const std::string& file, const std::string& scene_file) {
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // as all other formats are taken
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);         // which would be nodes with names
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, int{aiPrimitiveType_POINT} | int{aiPrimitiveType_LINE});
   const aiScene* scene = importer.ReadFile(file, unsigned{aiProcess_Triangulate} | unsigned{aiProcess_SortByPType});
   if (scene == nullptr) throw std::runtime_error(fmt::format("{}; export it again", importer.GetErrorString()));
@@ -155,8 +176,7 @@ void convert(const std::string& file, const std::string& scene_file) {
 
 int main(int argc, char** argv) {
   try {
-    // The command hands every reader the length --tessellation, which says nothing of triangles.
-    if (argc != 3 && argc != 5) throw std::runtime_error("usage: toccata-read-assimp FILE SCENE.json");
+    if (argc != 3) throw std::runtime_error("usage: toccata-read-assimp FILE SCENE.json");
     convert(argv[1], argv[2]);
     return 0;
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 
 #include "exchange.hpp"
 #include "finding_words.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "words.hpp"
 #include "zip_file.hpp"
@@ -44,11 +45,20 @@ std::string guid_of(const std::string& words) {
   return d.substr(0, 8) + "-" + d.substr(8, 4) + "-" + d.substr(12, 4) + "-" + d.substr(16, 4) + "-" + d.substr(20, 12);
 }
 
+std::time_t seconds_of(std::string_view text) {
+  constexpr std::time_t end_of_9999 = 253402300799;
+  std::time_t seconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (error != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > end_of_9999)
+    throw Error(fmt::format("SOURCE_DATE_EPOCH is '{}': give seconds since 1970, as a whole number", text));
+  return seconds;
+}
+
 /// The date of now, or of what SOURCE_DATE_EPOCH says, so that a file can be made twice.
 std::string date_text() {
   std::time_t seconds = std::time(nullptr);
   if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr && *fixed != '\0')
-    seconds = static_cast<std::time_t>(std::atoll(fixed));
+    seconds = seconds_of(fixed);
   std::tm parts{};
   gmtime_r(&seconds, &parts);
   std::array<char, 32> text{};

@@ -336,7 +336,7 @@ Subcommand add_check(CLI::App& app) {
   add_clearances(*check, *arguments);
   add_rules(*check, arguments->rules);
   add_file(*check, "--baseline", arguments->baseline,
-           "an earlier report of --json: which pairs are new since, which are known and which are gone", "REPORT.json");
+           "an earlier report of --json: which pairs are new since, graver, known, moved or gone", "REPORT.json");
   check
       ->add_option(
           "--fail-on", arguments->fail_on_word,

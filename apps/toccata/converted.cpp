@@ -33,14 +33,16 @@ struct Converter {
   std::vector<std::string_view> extensions;
   const char* what;  ///< that it stands on
   bool states_unit = true;
+  bool has_curved_faces = true;  ///< whose triangles --tessellation is about
+  bool in_folders = true;        ///< whether a folder stands for its files too
 };
 
 const std::vector<Converter>& converters() {
   static const std::vector<Converter> all = {
       {"step", {".step", ".stp", ".p21"}, "Open CASCADE"},
       {"ifc", {".ifc"}, "IfcOpenShell"},
-      {"assimp", {".fbx", ".dae"}, "Assimp"},
-      {"assimp", {".3ds", ".ac", ".ase", ".blend", ".dxf", ".lwo", ".x3d"}, "Assimp", false}};
+      {"assimp", {".fbx", ".dae"}, "Assimp", true, false, false},
+      {"assimp", {".3ds", ".ac", ".ase", ".blend", ".dxf", ".lwo", ".x3d"}, "Assimp", false, false, false}};
   return all;
 }
 
@@ -114,7 +116,8 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
   const TemporaryFolder folder;
   const fs::path scene = folder.path() / "scene.json", out = folder.path() / "out", err = folder.path() / "err";
   std::vector<std::string> words = {program, path, scene.string()};
-  if (!conversion.tessellation.empty()) words.insert(words.end(), {"--tessellation", conversion.tessellation});
+  if (!conversion.tessellation.empty() && converter.has_curved_faces)
+    words.insert(words.end(), {"--tessellation", conversion.tessellation});
   const int status = status_of(words, out, err);
   if (WIFSIGNALED(status))
     throw Error(
@@ -140,10 +143,11 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
 
 bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || converter_of(path) != nullptr; }
 
-std::vector<std::string> converted_formats() {
+std::vector<std::string> converted_formats(FormatsOf which) {
   std::vector<std::string> formats{"3mf"};
   for (const Converter& one : converters())
-    for (const std::string_view extension : one.extensions) formats.emplace_back(extension.substr(1));
+    if (which == FormatsOf::commands || one.in_folders)
+      for (const std::string_view extension : one.extensions) formats.emplace_back(extension.substr(1));
   return formats;
 }
 

@@ -12,8 +12,12 @@ namespace toccata::command {
 /// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC, and what Assimp reads.
 [[nodiscard]] bool is_converted(const std::string& path);
 
+/// Files that are named, or also those that lie in a folder that is. What Assimp reads is of very many kinds, and much
+/// of it no part: such files are named themselves.
+enum class FormatsOf { commands, folders };
+
 /// The extensions of these files, without the dot.
-[[nodiscard]] std::vector<std::string> converted_formats();
+[[nodiscard]] std::vector<std::string> converted_formats(FormatsOf which);
 
 /// Whether a file of that name says itself in which unit its numbers are, and --unit is about others: these, and scene
 /// files.

@@ -44,7 +44,7 @@ void add_exchange(CLI::App& app, ExchangeFiles& files) {
   add_file(app, "--sarif", files.sarif, "write SARIF 2.1.0, for code scanning", "FILE.sarif");
   CLI::Option* bcf =
       add_file(app, "--bcf", files.bcf, "write BCF, for programs that exchange issues of building models", "FILE.bcf");
-  app.add_option("--bcf-version", files.bcf_version, "of what --bcf writes")
+  app.add_option("--bcf-version", files.bcf_version, "the version of BCF that --bcf writes")
       ->check(CLI::IsMember({"2.1", "3.0"}))
       ->capture_default_str()
       ->needs(bcf);

@@ -22,17 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a folder stands for, by extension: all that is read but scene files. These name meshes that often lie beside
-/// them, and are named themselves.
-std::vector<std::string> formats_in_folders() {
+/// What is read but scene files, by extension. These name meshes that often lie beside them, and no folder stands for
+/// them.
+std::vector<std::string> formats_of(FormatsOf which) {
   std::vector<std::string> formats{"obj", "stl", "ply", "off", "gltf", "glb"};
-  for (std::string& converted : converted_formats()) formats.push_back(std::move(converted));
+  for (std::string& converted : converted_formats(which)) formats.push_back(std::move(converted));
   return formats;
 }
 
-bool is_read(const std::string& format) {
-  const std::vector<std::string> formats = formats_in_folders();
-  return format == "json" || std::ranges::find(formats, format) != formats.end();
+bool is_one_of(FormatsOf which, const std::string& format) {
+  const std::vector<std::string> formats = formats_of(which);
+  return std::ranges::find(formats, format) != formats.end();
 }
 
 std::string lower_case_format(const fs::path& path) {
@@ -42,10 +42,7 @@ std::string lower_case_format(const fs::path& path) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-bool is_in_folders(const fs::path& path) {
-  const std::string format = lower_case_format(path);
-  return format != "json" && is_read(format);
-}
+bool is_in_folders(const fs::path& path) { return is_one_of(FormatsOf::folders, lower_case_format(path)); }
 
 std::vector<std::string> files_in(const std::string& folder) {
   std::error_code code;
@@ -122,7 +119,7 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
   if (holds_a_file && input.format.empty())
     throw Error(fmt::format("- is standard input, which has no name that tells its format: add --format, {}",
                             readable_formats()));
-  if (!input.format.empty() && !is_read(input.format))
+  if (!input.format.empty() && input.format != "json" && !is_one_of(FormatsOf::commands, input.format))
     throw Error(fmt::format("--format: '{}' is none that is read; there are {}", input.format, readable_formats()));
   if (!holds_a_file && !input.format.empty())
     throw Error("--format is of standard input, and no file is -: the others' names tell theirs");
@@ -131,7 +128,7 @@ void require_sense_of_standard_input(const InputArguments& input, const std::vec
 }  // namespace
 
 std::string readable_formats() {
-  return fmt::format("{} or a scene file (json)", fmt::join(formats_in_folders(), ", "));
+  return fmt::format("{} or a scene file (json)", fmt::join(formats_of(FormatsOf::commands), ", "));
 }
 
 std::string read_standard_input() {

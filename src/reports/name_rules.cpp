@@ -1,6 +1,9 @@
 #include "reports/name_rules.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -12,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "toccata/core/error.hpp"
 #include "toccata/reports/scene_question.hpp"
 
 namespace toccata {
@@ -165,7 +169,11 @@ PairLengths lengths_of(std::span<const LengthRule> rules, const Names& names) {
     double length;
   };
   const auto all = std::make_shared<std::vector<Told>>();
-  for (const LengthRule& rule : rules) all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.length});
+  for (const LengthRule& rule : rules) {
+    if (!(rule.length >= 0) || !std::isfinite(rule.length))
+      throw Error(fmt::format("a rule has the length {}; give one of at least 0", rule.length));
+    all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.length});
+  }
   return [all](const IndexPair& pair) -> std::optional<double> {
     const auto found =
         std::find_if(all->rbegin(), all->rend(), [&](const Told& told) { return told.members.contain(pair); });

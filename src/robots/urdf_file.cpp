@@ -170,7 +170,8 @@ class RobotXml {
   }
 
   [[nodiscard]] std::string fault_of_macros() const {
-    const std::string plain = path_.ends_with(".xacro") ? path_.substr(0, path_.rfind('.')) : "expanded.urdf";
+    std::string plain = path_.ends_with(".xacro") ? path_.substr(0, path_.rfind('.')) : "expanded";
+    if (!plain.ends_with(".urdf")) plain += ".urdf";
     return fmt::format(": xacro macros are not expanded here; expand them first (`xacro {} > {}`) and give that file",
                        path_, plain);
   }

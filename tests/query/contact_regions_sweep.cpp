@@ -61,6 +61,21 @@ std::string fault_of_exchange(const ContactRegion& region, const ContactRegion& 
   return is_close_to(other.area, region.area, 1e-9) ? "" : "exchanged, another area";
 }
 
+/// What both hold is in one of the regions.
+std::string fault_of_parts(const std::vector<ContactRegion>& regions, const SlowSolid& a, const SlowSolid& b,
+                           Random& random) {
+  Aabb all;
+  for (const ContactRegion& region : regions) all = merge(all, region.box);
+  for (int i = 0; i < (regions.empty() ? 0 : 60); ++i) {
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = random.between(all.lower[axis], all.upper[axis]);
+    const auto holds_it = [&](const ContactRegion& region) { return contains(region.box, Aabb{p, p}); };
+    if (a.holds(p) && b.holds(p) && std::none_of(regions.begin(), regions.end(), holds_it))
+      return "a point of both is in no region";
+  }
+  return "";
+}
+
 std::string fault_of_contact_regions(const std::string& family, std::uint64_t seed) {
   Random random(seed);
   const MeetingCase made = random_meeting_case(family, random);
@@ -69,6 +84,7 @@ std::string fault_of_contact_regions(const std::string& family, std::uint64_t se
   const SlowSolid slow_a(made.a, query.pose_a), slow_b(made.b, query.pose_b);
   const std::vector<ContactRegion> regions = contact_regions(a, b, query);
   const auto others = contact_regions(b, a, {.pose_a = query.pose_b, .pose_b = query.pose_a});
+  if (regions.empty() != contacts(a, b, query).empty()) return "no region where they meet, or one where they do not";
   if (others.size() != regions.size()) return "exchanged, another number of regions";
   for (std::size_t i = 0; i < regions.size(); ++i) {
     if (!is_close_to(dot(regions[i].normal, regions[i].normal), 1, 1e-12)) return "the normal is not of length 1";
@@ -76,7 +92,7 @@ std::string fault_of_contact_regions(const std::string& family, std::uint64_t se
     if (fault.empty()) fault = fault_of_exchange(regions[i], others[i]);
     if (!fault.empty()) return fault;
   }
-  if (regions.size() != 1) return "";
+  if (regions.size() != 1) return fault_of_parts(regions, slow_a, slow_b, random);
   // All that they have in common is in it.
   const double shadow = slow_shadow(slow_a, slow_b, regions[0].normal);
   if (!is_close_to(regions[0].area, shadow, 1e-8))

@@ -94,7 +94,7 @@ inline double area_within(const Triangle& t, const SlowSolid& solid) {
     if (std::abs(volume) < 1e-14) continue;
     std::vector<Vec3> part{t[0], t[1], t[2]};
     part = clipped_by(part, base, apex);
-    for (std::size_t i = 0; i < 3 && !part.empty(); ++i)
+    for (int i = 0; i < 3 && !part.empty(); ++i)
       part = clipped_by(part, {{apex, base[i], base[(i + 1) % 3]}}, base[(i + 2) % 3]);
     double twice = 0;
     for (std::size_t i = 1; i + 1 < part.size(); ++i) {

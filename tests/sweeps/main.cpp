@@ -7,6 +7,7 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -39,7 +40,7 @@ struct Options {
   std::vector<std::string> names;  ///< empty: all
   double minutes = 1e9;
   double scale = 1;
-  double cases = 0;  ///< where above 0: every goal
+  std::optional<double> cases{};  ///< of every family, instead of its goal
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
   bool anew = false;
@@ -74,7 +75,7 @@ Options parse(int argument_count, char** arguments) {
   }
   if (options.evidence.empty()) throw std::runtime_error("--evidence is missing");
   if (!(options.scale > 0)) throw std::runtime_error("--scale: a number above 0");
-  if (!(options.cases >= 0)) throw std::runtime_error("--cases: a number above 0");
+  if (!(options.cases.value_or(1) > 0)) throw std::runtime_error("--cases: a number above 0");
   return options;
 }
 
@@ -110,7 +111,7 @@ class Run {
   double progress(const Lane& lane) const {
     const FamilyEvidence& family = evidence_.at(lane.sweep).family(lane.family);
     const std::uint64_t done = options_.anew ? family.cases_of(options_.commit) : family.cases();
-    const double goal = options_.cases > 0 ? options_.cases : static_cast<double>(lane.sweep->goal) * options_.scale;
+    const double goal = options_.cases ? *options_.cases : static_cast<double>(lane.sweep->goal) * options_.scale;
     return static_cast<double>(done) / goal;
   }
 

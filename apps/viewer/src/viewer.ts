@@ -39,7 +39,6 @@ function firstStep({ kind, steps = [] }: Layer): number {
   return Math.max(0, few - 1);
 }
 
-/// Ends of the twelve edges of a box, three numbers each.
 function diagonalOf(box: Box3): number {
   return box.getSize(new Vector3()).length();
 }
@@ -49,6 +48,7 @@ function thinnestOf(box: Box3): number {
   return Math.min(x, y, z);
 }
 
+/// Ends of the twelve edges of a box, three numbers each.
 function edgesOf(box: Box3): number[] {
   const corners = cornersOf(box);
   const ends: number[] = [];

@@ -55,7 +55,7 @@ struct FormerPair {
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
 
-/// How an object lay of which an earlier report tells.
+/// Where an object was in an earlier report.
 struct FormerObject {
   std::string name;
   Pose pose;  ///< in units of the world of now
