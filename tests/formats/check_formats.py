@@ -140,6 +140,10 @@ def check_assimp(folder):
     assert any("2 parts of 1 shape as Assimp reads them, with numbers of 32 bits" in warning for warning in arm["warnings"]), arm["warnings"]
     inspected = report(folder, "inspect", "arm.dae")["objects"][0]
     assert inspected["world_box"] == {"lower": [4, 0, 0], "upper": [4.5, 0.5, 0.5]} and inspected["vertices"] == 8, inspected
+    (folder / "upright.dae").write_text(COLLADA.replace("TRANSLATION", "0.5 0 0").replace("Y_UP", "Z_UP"))
+    assert report(folder, "inspect", "upright.dae")["objects"][1]["world_box"] == report(folder, "inspect", "arm.dae")["objects"][1]["world_box"], "nothing is turned"
+    (folder / "nowhere.dae").write_text(COLLADA.replace("0 0 0 1 0 0 0", "nan 0 0 1 0 0 0"))
+    refused(folder, "nowhere.dae")
     (folder / "apart.dae").write_text(COLLADA.replace("TRANSLATION", "1.5 0 0"))
     assert report(folder, "check", "apart.dae", "--clearance", "250mm")["pairs"][0]["distance"]["upper"] == 0.25
     cube = MODELS / "3DS/test1.3ds"
@@ -156,7 +160,9 @@ def check_assimp(folder):
     box = MODELS / "FBX/box.fbx"
     if box.exists():
         (folder / "box.fbx").write_bytes(box.read_bytes())
-        assert report(folder, "inspect", "box.fbx")["objects"][0]["closed"]
+        found = report(folder, "inspect", "box.fbx")
+        [one] = found["objects"]
+        assert found["unit"] == "m" and one["closed"] and abs(one["world_box"]["upper"][2] - 0.46466) < 1e-5, found
     for name, bytes_of in (("empty.fbx", b""), ("text.dae", b"solid"), ("flat.dxf", b"0\nEOF\n")):
         (folder / name).write_bytes(bytes_of)
         refused(folder, name)
