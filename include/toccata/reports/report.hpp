@@ -178,6 +178,7 @@ struct CheckReport {
   std::size_t ignored_touching = 0;
   std::size_t candidate_pairs = 0;
   bool has_faces = false;
+  bool has_boxes = true;  ///< whether JSON has the boxes of objects, by which a later check knows what has moved
   bool has_penetration = false;
   std::optional<double> clearance{};  ///< what was asked for all pairs, where a clearance was
   std::vector<PairClearance> pair_clearances{};

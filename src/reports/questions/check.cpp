@@ -418,7 +418,7 @@ struct CheckKind {
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
-    add_boxes(json, reporting.models);
+    if (report.has_boxes) add_boxes(json, reporting.models);
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
     add_tolerance_and_groups(json, reporting.scene, report);
@@ -478,7 +478,7 @@ struct CheckKind {
     return named;
   }
 
-  static void leave_out_drawn(CheckReport& report) { report.has_faces = false; }
+  static void leave_out_drawn(CheckReport& report) { report.has_faces = report.has_boxes = false; }
 };
 
 }  // namespace
