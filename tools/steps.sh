@@ -168,7 +168,7 @@ run_tests() {
   local ranks
   install_packages packages-mpi
   mapfile -t ranks < <(options_for_ranks)
-  configure_tests ON "${ranks[@]}" -DTOCCATA_TEST_PYTHON=ON
+  configure_tests ON "${ranks[@]}"
   build release
   run_ctest release
 }
