@@ -171,7 +171,7 @@ PairLengths lengths_of(std::span<const LengthRule> rules, const Names& names) {
   const auto all = std::make_shared<std::vector<Told>>();
   for (const LengthRule& rule : rules) {
     if (!(rule.length >= 0) || !std::isfinite(rule.length))
-      throw Error(fmt::format("a rule has the length {}; give one of at least 0", rule.length));
+      throw Error(fmt::format("a rule has the length {}; give a finite one of at least 0", rule.length));
     all->push_back({RuleMembers(std::span(&rule.pairs, 1), names), rule.length});
   }
   return [all](const IndexPair& pair) -> std::optional<double> {

@@ -11,10 +11,6 @@ namespace {
 
 auto place(const Contact& contact) { return std::pair(contact.triangle_a, contact.triangle_b); }
 
-bool same_contact(const Contact& x, const Contact& y) {
-  return place(x) == place(y) && x.face_a == y.face_a && x.face_b == y.face_b && x.intersection == y.intersection;
-}
-
 std::vector<Triangle> world_triangles(const Model& model, const Pose& pose) {
   std::vector<Triangle> triangles;
   for (Index i = 0; i < model.mesh().triangle_count(); ++i) triangles.push_back(world_triangle(model, pose, i));
@@ -36,7 +32,7 @@ std::vector<Contact> exchanged(std::vector<Contact> contacts) {
 }
 
 bool is_first(const std::optional<Contact>& first, const std::vector<Contact>& all) {
-  return all.empty() ? !first.has_value() : first.has_value() && same_contact(*first, all.front());
+  return all.empty() ? !first.has_value() : first == all.front();
 }
 
 /// What is wrong in one order of the models; empty if nothing is.
@@ -52,10 +48,7 @@ std::string fault_one_way(const Model& a, const Model& b, const PairQuery& query
 
 PairQuery exchanged(const PairQuery& query) { return {query.pose_b, query.pose_a, query.solid_b, query.solid_a}; }
 
-bool same(const std::vector<Contact>& x, const std::vector<Contact>& y) {
-  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                    [](const auto& p, const auto& q) { return same_contact(p, q); });
-}
+bool same(const std::vector<Contact>& x, const std::vector<Contact>& y) { return x == y; }
 
 std::vector<Contact> contacts_by_brute_force(const Model& a, const Model& b, const PairQuery& query) {
   const auto triangles_a = world_triangles(a, query.pose_a), triangles_b = world_triangles(b, query.pose_b);
