@@ -32,15 +32,7 @@ bool same_body(const BodyId& a, const BodyId& b) { return a.index == b.index && 
 bool same(const PairReport& a, const PairReport& b) {
   if (!same_body(a.a, b.a) || !same_body(a.b, b.b) || a.in_contact != b.in_contact || !a.details != !b.details)
     return false;
-  if (!a.details) return true;
-  const PairDetails &x = *a.details, &y = *b.details;
-  const bool same_contacts =
-      std::equal(x.contacts.begin(), x.contacts.end(), y.contacts.begin(), y.contacts.end(),
-                 [](const Contact& one, const Contact& other) {
-                   return one.triangle_a == other.triangle_a && one.triangle_b == other.triangle_b;
-                 });
-  return x.relation == y.relation && x.distance == y.distance && x.manifold == y.manifold &&
-         x.manifolds == y.manifolds && x.penetration == y.penetration && same_contacts;
+  return !a.details || *a.details == *b.details;
 }
 
 bool same(const std::vector<PairReport>& a, const std::vector<PairReport>& b) {
