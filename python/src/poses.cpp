@@ -19,7 +19,7 @@ std::string pose_text(const Pose& pose) {
                      row(pose.offset));
 }
 
-/// Of one point or of an array (N, 3).
+/// Takes one point or an array (N, 3).
 Floats transformed(const Pose& pose, const ArrayLike& points) {
   const Doubles numbers = doubles(points, "points");
   if (numbers.has_shape(1, {3})) return array_of(transform(pose, vector_of(points, "points")));
