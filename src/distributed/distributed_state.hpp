@@ -111,7 +111,9 @@ class LapClock {
 
 /// A pair that the World of this rank tells, whichever rank is to tell it.
 struct LocalPair {
-  GlobalPairReport report;
+  GlobalId a = 0;  ///< a < b
+  GlobalId b = 0;
+  bool in_contact = false;
   int teller = 0;
 };
 

@@ -12,20 +12,46 @@ namespace {
 
 using PairOfIds = std::pair<GlobalId, GlobalId>;
 
-PairOfIds ids_of(const GlobalPairReport& report) { return {report.a, report.b}; }
+template <class Pair>
+PairOfIds ids_of(const Pair& pair) {
+  return {pair.a, pair.b};
+}
+
+PairOfIds ids_of(const PairOfIds& ids) { return ids; }
+
+/// Ascending pairs, of which some are looked for in their order.
+template <class Pair>
+class PairsInOrder {
+ public:
+  explicit PairsInOrder(std::span<const Pair> pairs) : rest_(pairs) {}
+
+  /// Null where they do not hold it. What was looked for before comes before it.
+  const Pair* find(const PairOfIds& ids) {
+    while (!rest_.empty() && ids_of(rest_.front()) < ids) rest_ = rest_.subspan(1);
+    return !rest_.empty() && ids_of(rest_.front()) == ids ? &rest_.front() : nullptr;
+  }
+
+ private:
+  std::span<const Pair> rest_;
+};
+
+template <class Pair>
+void sort_by_ids(std::vector<Pair>& pairs) {
+  const auto comes_before = [](const Pair& a, const Pair& b) { return ids_of(a) < ids_of(b); };
+  if (!std::is_sorted(pairs.begin(), pairs.end(), comes_before)) std::sort(pairs.begin(), pairs.end(), comes_before);
+}
 
 void put_ids(MessageWriter& letter, const PairOfIds& ids) {
   letter.put_number(ids.first);
   letter.put_number(ids.second);
 }
 
-bool is_of_lesser_ids(const LocalPair& a, const LocalPair& b) { return ids_of(a.report) < ids_of(b.report); }
-
 }  // namespace
 
 /// A pair is told by the rank whose part of space has the lower corner of what the boxes of the two, as far as the
 /// bodies reach, have in common. That point is in both boxes, so the rank has both bodies; and it is in one part alone.
 int DistributedWorld::State::teller_of(BodyId a, BodyId b) const {
+  if (ranks_.count() == 1) return 0;
   const Aabb first = reached_box(a), second = reached_box(b);
   return space_.part_of({std::max(first.lower.x, second.lower.x), std::max(first.lower.y, second.lower.y),
                          std::max(first.lower.z, second.lower.z)});
@@ -36,15 +62,15 @@ std::vector<LocalPair> DistributedWorld::State::found_pairs() const {
   found.reserve(world_.pairs().size());
   for (const PairReport& pair : world_.pairs()) {
     const auto [a, b] = std::minmax(copy(pair.a).id, copy(pair.b).id);
-    found.push_back({{a, b, pair.in_contact}, teller_of(pair.a, pair.b)});
+    found.push_back({a, b, pair.in_contact, teller_of(pair.a, pair.b)});
   }
-  std::sort(found.begin(), found.end(), is_of_lesser_ids);
+  sort_by_ids(found);
   return found;
 }
 
 bool DistributedWorld::State::was_told(BodyId a, BodyId b) const {
   const PairOfIds ids = std::minmax(copy(a).id, copy(b).id);
-  return std::ranges::binary_search(told_, ids, {}, ids_of);
+  return std::ranges::binary_search(told_, ids, {}, ids_of<GlobalPairReport>);
 }
 
 /// Those that this rank tells, if they are pairs. And those that it told in the step before: it has to know whether
@@ -64,7 +90,7 @@ void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) con
   if (!of_all && ways_.empty()) return;
   std::vector<Body> bodies;
   BodiesOnTheWay on_the_way;
-  std::vector<UndecidedPair> undecided;
+  UndecidedPairs undecided;
   std::vector<DecidedPair> decided;
   std::vector<GlobalPairReport*> asked;
   const auto take = [&](GlobalId id, BodyId local) {
@@ -78,7 +104,7 @@ void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) con
     if (!of_all && !ways_.contains(pair.a) && !ways_.contains(pair.b)) continue;
     const BodyId a = local_.at(pair.a), b = local_.at(pair.b);
     const Index first = take(pair.a, a), second = take(pair.b, b);
-    undecided.push_back({decided.size(), world_.pair_margin(a, b).value_or(0)});
+    undecided.pairs.push_back({decided.size(), world_.pair_margin(a, b).value_or(0)});
     decided.push_back({{first, second}});
     asked.push_back(&pair);
   }
@@ -92,10 +118,11 @@ void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector
   Letters letters;
   std::vector<GlobalPairReport> ended;
   std::vector<PairOfIds> before;
+  PairsInOrder here(found);
   for (const GlobalPairReport& told : told_) {
-    const auto at = std::lower_bound(found.begin(), found.end(), LocalPair{told}, is_of_lesser_ids);
-    const bool is_found = at != found.end() && ids_of(at->report) == ids_of(told);
-    if (!is_found || removed_.contains(told.a) || removed_.contains(told.b))
+    const LocalPair* at = here.find(ids_of(told));
+    const bool is_of_removed = !removed_.empty() && (removed_.contains(told.a) || removed_.contains(told.b));
+    if (at == nullptr || is_of_removed)
       ended.push_back(told);
     else if (at->teller == ranks_.rank())
       before.push_back(ids_of(told));
@@ -107,12 +134,13 @@ void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector
       const GlobalId a = reader.get_number();
       before.emplace_back(a, reader.get_number());
     }
-  std::sort(before.begin(), before.end());
+  sort_by_ids(before);
 
   last_.begin.clear();
   last_.persist.clear();
+  PairsInOrder known{std::span<const PairOfIds>(before)};
   for (const GlobalPairReport& report : now)
-    (std::binary_search(before.begin(), before.end(), ids_of(report)) ? last_.persist : last_.begin).push_back(report);
+    (known.find(ids_of(report)) != nullptr ? last_.persist : last_.begin).push_back(report);
   last_.end = std::move(ended);
   told_ = std::move(now);
 }
@@ -149,8 +177,10 @@ void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock)
   std::vector<GlobalPairReport> now;
   all_do([&] {
     found = found_pairs();
+    const auto is_told_here = [&](const LocalPair& pair) { return pair.teller == ranks_.rank(); };
+    now.reserve(static_cast<std::size_t>(std::ranges::count_if(found, is_told_here)));
     for (const LocalPair& pair : found)
-      if (pair.teller == ranks_.rank()) now.push_back(pair.report);
+      if (is_told_here(pair)) now.push_back({pair.a, pair.b, pair.in_contact});
     add_details(now);
   });
   tell(found, std::move(now));

@@ -14,6 +14,7 @@
 #include "query/penetration/solid_penetration.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/motion/rigid_motion.hpp"
+#include "toccata/narrow/box_box.hpp"
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/pairs.hpp"
@@ -71,7 +72,7 @@ AnswerLasts while_near(double way) { return {.radius = way}; }
 /// as it does if A meets B moved by q, it holds the ball around the origin whose radius is the share s = λ / (1 + λ) of
 /// the first: and as A and B move, that of the ball around s c + (1 − s) q as they have gone, of which the share s goes
 /// with the centres of the bodies, whatever they turn. Roundings are covered by the position errors of flights.
-AnswerLasts while_held(const PosedPolytope& a, const Body& b, const UndecidedPair& wanted, SimplexCache& workspace) {
+AnswerLasts while_held(const PosedPolytope& a, const Body& b, const WantedLasting& wanted, SimplexCache& workspace) {
   const auto& [centre, radius] = wanted.inner;
   const double left = radius - length(centre);
   if (!(radius > 0) || left >= std::min(0.5 * wanted.enough, 0.3 * radius))
@@ -108,9 +109,8 @@ struct Touch {
 };
 
 /// What `within_distance` and `overlap` answer, of two convex ones.
-BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const Body& body_b, UndecidedPair& wanted,
-                         Touch& touch, SimplexCache& workspace) {
-  const double margin = wanted.margin;
+BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const Body& body_b, double margin,
+                         WantedLasting& wanted, Touch& touch, SimplexCache& workspace) {
   if (wanted.enough > 0) {
     const DirectedGap gap = certain_gap(a, b, margin + wanted.enough, &workspace);
     if (gap.length > margin) {
@@ -128,14 +128,24 @@ BodyNearness nearness_of(const PosedPolytope& a, const PosedPolytope& b, const B
   return in_contact ? BodyNearness::contact : BodyNearness::near;
 }
 
+/// Two boxes, whose corners are not made where only a yes or no is wanted; null for other shapes.
+std::optional<bool> boxes_overlap(const Body& a, const Body& b) {
+  const auto *box_a = std::get_if<Box>(&a.model.shape()), *box_b = std::get_if<Box>(&b.model.shape());
+  if (box_a == nullptr || box_b == nullptr) return std::nullopt;
+  return overlap(*box_a, a.pose, *box_b, b.pose);
+}
+
 /// What `within_distance` and `overlap` answer.
-BodyNearness nearness_of(const Body& a, const Body& b, UndecidedPair& wanted, Touch& touch, Workspace& workspace) {
+BodyNearness nearness_of(const Body& a, const Body& b, double margin, WantedLasting& wanted, Touch& touch,
+                         Workspace& workspace) {
+  if (margin == 0 && wanted.enough == 0 && !touch.wants_manifolds)
+    if (const std::optional<bool> meet = boxes_overlap(a, b))
+      return *meet ? BodyNearness::contact : BodyNearness::apart;
   std::optional<PosedPolytope> placed_a, placed_b;
   std::visit(PlaceConvex{a.pose, placed_a}, a.model.shape());
   if (placed_a) std::visit(PlaceConvex{b.pose, placed_b}, b.model.shape());
-  if (placed_b) return nearness_of(*placed_a, *placed_b, b, wanted, touch, cleared(workspace).scratch().convex);
+  if (placed_b) return nearness_of(*placed_a, *placed_b, b, margin, wanted, touch, cleared(workspace).scratch().convex);
   const PairQuery query = query_of(a, b);
-  const double margin = wanted.margin;
   std::optional<Distance> known;
   if (wanted.enough > 0) {
     known = distance_within(a.model, b.model, (margin + wanted.enough) * (1 + 0x1p-50), query, cleared(workspace));
@@ -171,26 +181,29 @@ Manifold plain(std::span<const ModelManifold> manifolds) {
 
 }  // namespace
 
-void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way,
-                         std::span<UndecidedPair> undecided, std::span<DecidedPair> pairs) {
-  const Chunks rows{undecided.size(), row_length(undecided.size(), options_.threads)};
+void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, UndecidedPairs& undecided,
+                         std::span<DecidedPair> pairs) {
+  const std::span<const UndecidedPair> all = undecided.pairs;
+  const Chunks rows{all.size(), row_length(all.size(), options_.threads)};
   parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
     workspaces_.with([&](Workspace& workspace) {
-      const std::span<UndecidedPair> some = rows.of(undecided, row);
+      const std::span<const UndecidedPair> some = rows.of(all, row);
+      WantedLasting none;
       for (std::size_t i = 0; i < some.size(); ++i) {
         if (i + ahead < some.size()) fetch(bodies[pairs[some[i + ahead].number].pair.second]);
         DecidedPair& pair = pairs[some[i].number];
-        decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i], pair, workspace);
+        WantedLasting& lasting = undecided.lasting.empty() ? none : rows.of(std::span(undecided.lasting), row)[i];
+        decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i].margin, lasting, pair, workspace);
         if (!on_the_way.empty()) add_first_contact(bodies, on_the_way, pair, workspace);
       }
     });
   });
 }
 
-void NarrowPhase::decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair,
+void NarrowPhase::decide(const Body& a, const Body& b, double margin, WantedLasting& wanted, DecidedPair& pair,
                          Workspace& workspace) const {
   Touch touch{options_.manifold};
-  pair.nearness = nearness_of(a, b, wanted, touch, workspace);
+  pair.nearness = nearness_of(a, b, margin, wanted, touch, workspace);
   if (!tells_details(options_) || !is_told(pair.nearness)) return;
   PairDetails details = details_of(a, b, pair.nearness == BodyNearness::contact, cleared(workspace));
   details.manifolds = std::move(touch.manifolds);

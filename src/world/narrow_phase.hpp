@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "narrow/near.hpp"
 #include "query/workspace_pool.hpp"
@@ -46,15 +47,23 @@ struct AnswerLasts {
   double turning = 1;
 };
 
-/// A pair to be decided, how near counts, and how long the answer lasts.
+/// A pair to be decided, and how near counts.
 struct UndecidedPair {
   std::size_t number = 0;  ///< in the list of pairs
   double margin = 0;
-  // How long the answer lasts, with space_time:
+};
+
+/// How long the answer about a pair lasts, with space_time.
+struct WantedLasting {
   double enough = 0;     ///< gaps and ways need not be longer; 0: nothing is wanted
   bool of_told = false;  ///< wanted also of two that are in contact or near
   Ball inner{{}, 0};     ///< within the difference A − B; of radius 0 where none is known
   AnswerLasts lasts{};   ///< found
+};
+
+struct UndecidedPairs {
+  std::vector<UndecidedPair> pairs;
+  std::vector<WantedLasting> lasting;  ///< with space_time, of each pair; else none
 };
 
 /// Decides pairs of bodies. What it keeps is memory to work in.
@@ -66,11 +75,12 @@ class NarrowPhase {
   ~NarrowPhase() = default;
 
   /// Fills in pairs[undecided.number] for each of them, and what lasts. Bodies are by index.
-  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, std::span<UndecidedPair> undecided,
+  void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, UndecidedPairs& undecided,
               std::span<DecidedPair> pairs);
 
  private:
-  void decide(const Body& a, const Body& b, UndecidedPair& wanted, DecidedPair& pair, Workspace& workspace) const;
+  void decide(const Body& a, const Body& b, double margin, WantedLasting& wanted, DecidedPair& pair,
+              Workspace& workspace) const;
   /// Adds the first contact of two bodies of which one at least has been on its way.
   void add_first_contact(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, DecidedPair& pair,
                          Workspace& workspace) const;

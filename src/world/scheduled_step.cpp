@@ -44,22 +44,24 @@ double World::State::greatest_depth(const IndexPair& pair) const {
   return depth;
 }
 
-void World::State::want_lasting(const IndexPair& pair, UndecidedPair& wanted) const {
+WantedLasting World::State::lasting_of(const IndexPair& pair, double margin) const {
   constexpr int few = 4;
-  if (!schedule_->are_flying(pair) || schedule_->steps_left() < 2) return;
+  WantedLasting wanted;
+  if (!schedule_->are_flying(pair) || schedule_->steps_left() < 2) return wanted;
   wanted.enough = schedule_->closing_in(pair, schedule_->steps_left());
-  if (tells_details(options_) || schedule_->steps_left() <= few) return;
+  if (tells_details(options_) || schedule_->steps_left() <= few) return wanted;
   wanted.inner = schedule_->inner_difference(pair, bodies_);
   // For two that stay a pair this is asked for besides, and it costs as much as some steps.
-  const double most = std::max(std::min(greatest_depth(pair), wanted.inner.radius), 0.5 * wanted.margin);
+  const double most = std::max(std::min(greatest_depth(pair), wanted.inner.radius), 0.5 * margin);
   wanted.of_told = most > schedule_->closing_in(pair, few);
+  return wanted;
 }
 
-void World::State::end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided) {
-  for (const UndecidedPair& asked : undecided) {
-    DecidedPair& decided = decided_[asked.number];
+void World::State::end_scheduled_step(std::size_t looked, const UndecidedPairs& undecided) {
+  for (std::size_t i = 0; i < undecided.pairs.size(); ++i) {
+    DecidedPair& decided = decided_[undecided.pairs[i].number];
     if (!schedule_->are_flying(decided.pair)) continue;
-    const int steps = schedule_->steps_until(decided.pair, asked.lasts);
+    const int steps = schedule_->steps_until(decided.pair, undecided.lasting[i].lasts);
     decided.sure_until = schedule_->step_after(steps);
     if (!is_told(decided.nearness)) schedule_->look_again(decided.pair, steps);
   }
@@ -71,7 +73,7 @@ void World::State::end_scheduled_step(std::size_t looked, std::span<const Undeci
   work_.bodies = count_;
   work_.tested = schedule_->count_tested();
   work_.looked = looked;
-  work_.asked = undecided.size();
+  work_.asked = undecided.pairs.size();
   schedule_->end_step(bodies_, work_);
   work_ = {};
 }

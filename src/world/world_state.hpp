@@ -97,13 +97,13 @@ class World::State {
   /// Whose boxes overlap, as far as the pair's margin says.
   [[nodiscard]] bool may_be_near(const IndexPair& pair, double margin) const;
   [[nodiscard]] std::vector<DecidedPair> candidates(std::span<const IndexPair> looked, const WantedPairs* are_wanted,
-                                                    std::vector<UndecidedPair>& undecided);
+                                                    UndecidedPairs& undecided);
   /// With space_time: how long the answer about a pair lasts is asked for too, as far as that may save time.
-  void want_lasting(const IndexPair& pair, UndecidedPair& wanted) const;
+  [[nodiscard]] WantedLasting lasting_of(const IndexPair& pair, double margin) const;
   /// How deep at most two bodies overlap, by their boxes.
   [[nodiscard]] double greatest_depth(const IndexPair& pair) const;
   /// With space_time: when the pairs that were decided are looked at again.
-  void end_scheduled_step(std::size_t looked, std::span<const UndecidedPair> undecided);
+  void end_scheduled_step(std::size_t looked, const UndecidedPairs& undecided);
   [[nodiscard]] Aabb reached_box(Index index) const;
   void let_fly();
   /// Moves them to `reached_boxes_` there.

@@ -42,8 +42,9 @@ bool World::State::may_be_near(const IndexPair& pair, double margin) const {
 
 /// The pairs to be decided, of which what is known already is filled in.
 std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> looked, const WantedPairs* are_wanted,
-                                                  std::vector<UndecidedPair>& undecided) {
+                                                  UndecidedPairs& undecided) {
   std::vector<DecidedPair> found;
+  found.reserve(looked.size());
   auto known = decided_.begin();
   for (const IndexPair& pair : looked) {
     const std::optional<double> margin = margin_of(pair);
@@ -63,8 +64,8 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
       if (!is_sure) found.back().sure_until = 0;
       continue;
     }
-    undecided.push_back({found.size(), *margin});
-    if (schedule_) want_lasting(pair, undecided.back());
+    undecided.pairs.push_back({found.size(), *margin});
+    if (schedule_) undecided.lasting.push_back(lasting_of(pair, *margin));
     found.push_back(DecidedPair{pair});
   }
   return found;
@@ -72,6 +73,7 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
 
 std::vector<PairReport> World::State::reports() const {
   std::vector<PairReport> now;
+  now.reserve(decided_.size());
   for (const DecidedPair& decided : decided_)
     if (is_told(decided.nearness))
       now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == BodyNearness::contact,
@@ -99,12 +101,12 @@ const WorldStep& World::State::step(const WantedPairs* are_wanted) {
     throw Error(
         "a World with space_time looks at all pairs: take one without it to look at those alone that are wanted");
   const std::span<const IndexPair> looked = pairs_to_look_at();
-  std::vector<UndecidedPair> undecided;
+  UndecidedPairs undecided;
   std::vector<DecidedPair> found = candidates(looked, are_wanted, undecided);
   narrow_.decide(bodies_, on_the_way_, undecided, found);
   decided_ = std::move(found);
   last_.candidates = decided_.size();
-  last_.asked = undecided.size();
+  last_.asked = undecided.pairs.size();
   if (schedule_) end_scheduled_step(looked.size(), undecided);
   for (const Index index : changed_) slots_[index].has_changed = false;
   changed_.clear();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "narrow/boxes/rigid_box_axes.hpp"
 #include "support/convex_cases.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
@@ -96,6 +97,15 @@ TEST(BoxBox, OfBoxesTurnedAlikeIsDecidedByTheFormula) {
   EXPECT_EQ(relation(below, above, &workspace).kind, RelationKind::overlapping);
   EXPECT_EQ(workspace.counts.exact, 0U);
   EXPECT_EQ(manifold(below, above).count, 4);
+  // Boxes that nobody has posed too, so that no corner is made.
+  const auto told = [&](const Pose& first, const Pose& second) {
+    return nearness_of_boxes(Box({1, 1, 0.5}), first, Box({0.5, 0.5, 0.5}), second);
+  };
+  EXPECT_EQ(told({turned, {}}, {turned, 0.875 * turned.column(2)}), Nearness::meet);
+  EXPECT_EQ(told({turned, {}}, {turned, 1.125 * turned.column(2)}), Nearness::apart);
+  EXPECT_EQ(told({}, at(0, 1.25, 0.875)), Nearness::meet);
+  EXPECT_EQ(told({}, at(0, 1.625, 0.875)), Nearness::apart);
+  EXPECT_EQ(told({}, at(0, 1.5, 0)), Nearness::unknown);  // they touch, which exact numbers find
 }
 
 TEST(BoxBox, PenetrationAlongTheAxesOfTheWorldIsTheLeastDifferenceOfCoordinates) {

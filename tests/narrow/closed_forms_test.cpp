@@ -1,5 +1,6 @@
 #include "narrow/primitives/closed_forms.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "narrow/primitives/pair_distances.hpp"
@@ -28,7 +29,7 @@ TEST(ClosedForms, AreRightOrSilentInEveryRegime) {
         for (int round = 0; round < test::fewer_under_tsan(10); ++round) {
           Random random(++number);
           const ConvexCase pair = test::convex_case(kind_a, kind_b, regime, random);
-          SCOPED_TRACE(kind_a + " and " + kind_b + ", " + regime + ", seed " + std::to_string(number));
+          SCOPED_TRACE(fmt::format("{} and {}, {}, seed {}", kind_a, kind_b, regime, number));
           const bool meet = oracle::overlap(test::set_of(pair.a), test::set_of(pair.b));
           const Nearness found = nearness_by_formula(test::posed(pair.a), test::posed(pair.b));
           if (found != Nearness::unknown) {
@@ -319,7 +320,7 @@ std::string message_of(const Question& question) {
 /// What overlap says, if distance says the same.
 template <class A, class B>
 std::string refusal(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b) {
-  const std::string message = message_of([&] { return overlap(a, pose_a, b, pose_b); });
+  std::string message = message_of([&] { return overlap(a, pose_a, b, pose_b); });
   EXPECT_EQ(message_of([&] { return distance(a, pose_a, b, pose_b); }), message);
   return message;
 }

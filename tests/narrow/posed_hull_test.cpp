@@ -21,8 +21,8 @@ TEST(PosedHull, VerticesArePosedWhenLookedAt) {
   EXPECT_FALSE(posed.in_world());
   EXPECT_TRUE(posed.solid());
   for (Index i = 0; i < 6; ++i) EXPECT_EQ(posed.vertex(i), transform(pose, hull.vertex(i)));
-  const PosedPolytope copy = posed;
-  EXPECT_EQ(copy.vertex(5), posed.vertex(5));
+  const std::vector<PosedPolytope> copies(2, posed);
+  EXPECT_EQ(copies[1].vertex(5), posed.vertex(5));
   EXPECT_EQ(posed.topology().face_count(), 8U);
 }
 

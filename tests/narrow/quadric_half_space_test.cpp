@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "narrow/quadric_cases.hpp"
@@ -53,7 +54,7 @@ TEST(QuadricHalfSpace, WhereTheyMeetThePointIsOneOfBoth) {
         ASSERT_EQ(exchanged.on_b, found.on_a);
         if (found.upper > 0) continue;
         ++met;
-        const std::string name = kind + ", " + regime + " " + std::to_string(i);
+        const std::string name = fmt::format("{}, {} {}", kind, regime, i);
         ASSERT_EQ(found.on_a, found.on_b) << name;
         const oracle::FineSet set = fine_set(quadric);
         const double off = 1e-12 * greatest_coordinate(set, quadric.pose.offset);

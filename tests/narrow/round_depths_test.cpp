@@ -139,11 +139,11 @@ std::string wrong_with_manifold(const Manifold& m, const Penetration& p, bool me
 std::string wrong_with_contacts(const ConvexCase& pair) {
   const oracle::ConvexSet a = set_of(pair.a), b = set_of(pair.b);
   const Contacts found = of_any_shapes(pair);
-  if (const std::string wrong = wrong_with(found.depth, a, b, size_of(a) + size_of(b)); !wrong.empty()) return wrong;
-  if (const std::string wrong = wrong_with_distance(found.distance, a, b); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_with(found.depth, a, b, size_of(a) + size_of(b)); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_with_distance(found.distance, a, b); !wrong.empty()) return wrong;
   const bool meet = oracle::overlap(a, b);
   if (found.overlap != meet) return "overlap";
-  if (const std::string wrong = wrong_with_manifold(found.manifold, found.depth, meet); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_with_manifold(found.manifold, found.depth, meet); !wrong.empty()) return wrong;
   const Contacts other = of_any_shapes({pair.b, pair.a});
   if (!(flipped(other.depth) == found.depth)) return "depth exchanged";
   if (!same_but_flipped(found.manifold, other.manifold)) return "manifold exchanged";

@@ -54,7 +54,7 @@ Rational sharpness_of(const RationalCage& cage, Index a, Index b) {
 }
 
 RationalPoint edge_point(const RationalCage& cage, Index a, Index b) {
-  const RationalPoint sharp = mean({cage.points[a], cage.points[b]});
+  RationalPoint sharp = mean({cage.points[a], cage.points[b]});
   const Rational sharpness = std::min(sharpness_of(cage, a, b), Rational(1));
   if (sharpness == Rational(1)) return sharp;
   RationalPoint smooth;

@@ -12,7 +12,7 @@ namespace {
 const Triangle right_angle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
 
 CommonSet common_with_right_angle(const Triangle& other) {
-  const CommonSet forward = common_set(exact(right_angle), exact(other));
+  CommonSet forward = common_set(exact(right_angle), exact(other));
   const CommonSet backward = common_set(exact(other), exact(right_angle));
   EXPECT_EQ(forward.kind, backward.kind);
   EXPECT_EQ(forward.coplanar, backward.coplanar);

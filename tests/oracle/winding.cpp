@@ -36,7 +36,7 @@ bool is_coplanar(const Vec3& point, const Triangle& t) {
 }  // namespace
 
 double winding_number(const Vec3& point, std::span<const Triangle> world_triangles) {
-  const Float pi = boost::math::constants::pi<Float>();
+  const Float& pi = boost::math::constants::pi<Float>();
   Float sum = 0;
   for (const Triangle& t : world_triangles) {
     if (is_coplanar(point, t)) continue;

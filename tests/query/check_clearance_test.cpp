@@ -86,7 +86,7 @@ TEST(CheckClearance, WithinTheIntervalOfASmoothShapeIsUndecided) {
 
 TEST(CheckClearance, OfAPairGoesBeforeThatOfAll) {
   const std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 3, 0, 0), at(Sphere{1}, 0, 4, 0)};
-  const auto told = [&](double common, std::vector<PairClearance> of_pairs) {
+  const auto told = [&](double common, const std::vector<PairClearance>& of_pairs) {
     std::vector<std::pair<Index, Index>> pairs;
     for (const PairAnswer& pair : check_all(models, {.clearance = common, .pair_clearances = of_pairs}).pairs)
       pairs.emplace_back(pair.a, pair.b);
@@ -119,7 +119,7 @@ TEST(CheckClearance, ContactHasADistanceUnderEveryLength) {
 /// The first is near all others by its clearance to the farthest; each other pair counts by its own.
 TEST(CheckClearance, CandidatesAreNearByTheClearanceOfThePair) {
   const std::vector<SceneInstance> models{at(Sphere{1}, 0, 0, 0), at(Sphere{1}, 4, 0, 0), at(Sphere{1}, 0, 40, 0)};
-  const auto candidates = [&](double common, std::vector<PairClearance> of_pairs) {
+  const auto candidates = [&](double common, const std::vector<PairClearance>& of_pairs) {
     return check_all(models, {.clearance = common, .pair_clearances = of_pairs}).candidate_pairs;
   };
   EXPECT_EQ(candidates(0, {}), 0U);

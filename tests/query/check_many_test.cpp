@@ -96,7 +96,7 @@ TEST(CheckMany, OneObjectUnderAllOthers) {
   const Model plate(test::box_between({-1, -1, -1}, {400, 400, 0})), part(test::box_between({0, 0, 0}, {1, 1, 1}));
   std::vector<SceneInstance> models{{plate, Pose{}}};
   for (int i = 0; i < 4200; ++i)
-    models.push_back({part, Pose::translation(4 * (i % 100), 4 * (i / 100), i % 3 == 0 ? -0.5 : 0)});
+    models.push_back({part, Pose::translation(4.0 * (i % 100), 4.0 * std::floor(i / 100.0), i % 3 == 0 ? -0.5 : 0)});
   const CheckAnswer answer = check_all(models, {.threads = 2});
   ASSERT_EQ(answer.pairs.size(), 4200U);
   for (std::size_t i = 0; i < answer.pairs.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <array>
 #include <optional>
 #include <string>
@@ -80,7 +81,7 @@ TEST(ModelsAndHalfSpaces, AreAnsweredAboutAsTheirShapesBothWaysRound) {
   for (const std::string& kind : test::convex_kinds())
     for (const std::string& regime : test::convex_regimes()) {
       const test::HalfSpaceCase pair = test::half_space_case(kind, regime, random);
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + kind + ", " + regime + "\n" + to_text(pair));
+      SCOPED_TRACE(fmt::format("seed {}, {}, {}\n{}", seed, kind, regime, to_text(pair)));
       const Model a = model_of_shape(pair.a.shape), b(pair.b.shape);
       const PosedPolytope posed_a = test::posed(pair.a);
       const PosedHalfSpace posed_b = test::posed(pair.b);

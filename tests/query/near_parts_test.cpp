@@ -123,7 +123,7 @@ TEST(NearParts, QuestionsAboutCompoundsAreThoseAboutTheirParts) {
 Model cube_of_balls() {
   std::vector<CompoundPart> parts;
   for (int i = 0; i < 4096; ++i)
-    parts.push_back({Sphere(0.3), {Mat3{}, {double(i % 16), double(i / 16 % 16), double(i / 256)}}});
+    parts.push_back({Sphere(0.3), {Mat3{}, {double(i % 16), double((i >> 4) % 16), double(i >> 8)}}});
   return Model(Compound(parts));
 }
 

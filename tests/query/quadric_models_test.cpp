@@ -51,7 +51,7 @@ std::string fault_of_models(const PlacedQuadric& a, const B& b) {
   const PairQuery query = poses_of(a.pose, b.pose), back = poses_of(b.pose, a.pose);
   const Distance gap = distance(model_a, model_b, query);
   const bool met = overlap(model_a, model_b, query);
-  const std::string wrong = fault_of_numbers(gap, met, oracle::fine_nearness(fine_set(a), fine_set(b), 1e-14, 400));
+  std::string wrong = fault_of_numbers(gap, met, oracle::fine_nearness(fine_set(a), fine_set(b), 1e-14, 400));
   if (!wrong.empty()) return wrong;
   if (!(gap == distance(posed_a, posed_b)) || !(distance(model_b, model_a, back) == flipped(gap))) return "distance";
   if (met != overlap(posed_a, posed_b) || met != overlap(model_b, model_a, back)) return "overlap";

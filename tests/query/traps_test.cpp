@@ -1,7 +1,9 @@
 // Traps of mesh queries that other tests do not spring; docs/design/traps.md lists all.
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,10 @@
 namespace toccata {
 namespace {
 
-bool same_bits(const Vec3& p, const Vec3& q) { return std::memcmp(&p, &q, sizeof(Vec3)) == 0; }
+bool same_bits(const Vec3& p, const Vec3& q) {
+  using Bits = std::array<std::uint64_t, 3>;
+  return std::bit_cast<Bits>(p) == std::bit_cast<Bits>(q);
+}
 
 /// World vertices computed with another association, or fused, or in another frame, differ in the last bits; then
 /// neighbours no longer share their vertices.

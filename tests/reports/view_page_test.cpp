@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "support/command.hpp"
@@ -30,11 +29,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Page : test::Page {
-  explicit Page(std::string text) : test::Page(text), html(std::move(text)) {}
-
-  std::string html;
-};
+using test::Page;
 
 Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptions& options = {}) {
   const std::vector<SceneInstance> models = scene_models(scene);

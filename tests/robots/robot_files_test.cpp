@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -270,10 +271,10 @@ TEST_F(UrdfFile, OneOfWiderCharactersIsToldAsSuch) {
                                                                {"\xfe\xff" + zero + wide, "UTF-16"},
                                                                {wider, "UTF-32LE"},
                                                                {"\xff\xfe" + zero + zero + wider, "UTF-32"}};
-  for (const auto& [text, encoding] : texts)
+  for (const auto& one : texts)
     EXPECT_TRUE(tells(
-        message_of([&] { static_cast<void>(read(text)); }),
-        "robot.urdf: it is written in " + encoding + ", and UTF-8 is read; convert it (iconv -f " + encoding + " "));
+        message_of([&] { static_cast<void>(read(one.first)); }),
+        fmt::format("robot.urdf: it is written in {0}, and UTF-8 is read; convert it (iconv -f {0} ", one.second)));
 }
 
 TEST(ConfigurationsFile, IsNumbersInTheOrderThatItNames) {

@@ -89,7 +89,7 @@ std::vector<std::size_t> numbers_in(const std::string& text) {
 }
 
 double whole(Random& random, int most) {
-  return static_cast<double>(random.below(static_cast<std::uint64_t>(2 * most + 1))) - most;
+  return static_cast<double>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
 }
 
 /// grid: small whole numbers, many planes through one vertex; ball: about the unit ball; far: the same from afar;

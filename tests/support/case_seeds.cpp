@@ -26,7 +26,7 @@ SweepResult run_cases_at_simd_levels(const std::string& family, std::uint64_t se
                                      const FaultOfCase& fault_of_case) {
   const SimdLevel before = simd_level();
   const std::vector<SimdLevel> levels = simd_levels();
-  const SweepResult result = run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
+  SweepResult result = run_cases(family, seed, cases, [&](std::uint64_t case_seed) {
     use_simd_level(levels[case_seed % levels.size()]);
     return fault_of_case(case_seed);
   });

@@ -22,7 +22,7 @@ DeformingCase changed_case(const DeformingCase& made, Change change) {
 }
 
 Vec3 whole_position(Random& random, int size) {
-  const auto draw = [&] { return static_cast<double>(random.below(static_cast<std::uint64_t>(2 * size + 1))) - size; };
+  const auto draw = [&] { return static_cast<double>(random.below(2 * static_cast<std::uint64_t>(size) + 1)) - size; };
   const double x = draw(), y = draw();
   return {x, y, draw()};
 }

@@ -59,7 +59,7 @@ std::string fault_of_surface_distance(const Model& a, const Model& b, const Pair
   query.solid_a = query.solid_b = Solid::none;
   Workspace workspace;
   const Distance d = distance(a, b, query, workspace);
-  const std::string fault = fault_of_interval(d, by_brute_force(a, b, query));
+  std::string fault = fault_of_interval(d, by_brute_force(a, b, query));
   if (!fault.empty()) return fault;
   const Distance pair = of_triangles(a, b, query, d.element_a, d.element_b);
   const double off = 1e-12 * std::max(largest_coordinate(a, query.pose_a), largest_coordinate(b, query.pose_b));

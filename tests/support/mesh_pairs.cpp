@@ -63,7 +63,7 @@ std::vector<Contact> contacts_by_brute_force(const Model& a, const Model& b, con
 
 std::string fault_of_surface_queries(const Model& a, const Model& b, const PairQuery& query) {
   const std::vector<Contact> expected = contacts_by_brute_force(a, b, query);
-  const std::string fault = fault_one_way(a, b, query, expected);
+  std::string fault = fault_one_way(a, b, query, expected);
   if (!fault.empty()) return fault;
   const std::string swapped = fault_one_way(b, a, exchanged(query), exchanged(expected));
   return swapped.empty() ? "" : swapped + " with the models exchanged";

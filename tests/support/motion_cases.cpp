@@ -8,7 +8,7 @@ namespace toccata::test {
 namespace {
 
 double whole_between(Random& random, int low, int high) {
-  return low + static_cast<double>(random.below(static_cast<std::uint64_t>(high - low + 1)));
+  return low + static_cast<double>(random.below(static_cast<std::uint64_t>(high - low) + 1));
 }
 
 Vec3 whole_vector(Random& random, int size) {

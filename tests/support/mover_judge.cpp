@@ -124,8 +124,10 @@ std::string fault_of_place(const JudgedStep& judged) {
 /// Ways in 26 directions, those of a cube's faces, edges and corners.
 std::vector<Vec3> ways_all_around() {
   std::vector<Vec3> ways;
-  for (int code = 0; code < 27; ++code)
-    if (code != 13) ways.push_back(normalized(Vec3{code % 3 - 1.0, code / 3 % 3 - 1.0, code / 9 - 1.0}));
+  for (const double z : {-1, 0, 1})
+    for (const double y : {-1, 0, 1})
+      for (const double x : {-1, 0, 1})
+        if (const Vec3 way{x, y, z}; way != Vec3{}) ways.push_back(normalized(way));
   return ways;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "support/command.hpp"
 
@@ -54,8 +55,9 @@ std::string content(const std::string& html, const std::string& id) {
 
 }  // namespace
 
-Page::Page(const std::string& html)
-    : header(Json::parse(content(html, "toccata-header"))),
+Page::Page(std::string text)
+    : html(std::move(text)),
+      header(Json::parse(content(html, "toccata-header"))),
       report(Json::parse(content(html, "toccata-report"))),
       data(content(html, "toccata-data")) {}
 

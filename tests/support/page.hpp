@@ -16,7 +16,7 @@ struct Page {
   using Json = nlohmann::json;
 
   Page() = default;
-  explicit Page(const std::string& html);
+  explicit Page(std::string text);
 
   /// The numbers of an array that the header names.
   template <class Number>
@@ -29,6 +29,7 @@ struct Page {
     return all;
   }
 
+  std::string html;
   Json header;
   Json report;
   std::string data;

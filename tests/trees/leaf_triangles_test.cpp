@@ -46,7 +46,7 @@ void expect_triangles(const WideBvh& tree, const TriangleMesh& mesh) {
     const TriangleLanes& lanes = all.of_block[number];
     for (std::size_t lane = 0; lane < WideBlock::width; ++lane) {
       const bool item = lane < block.count && block.is_item(lane);
-      const Index triangle = item ? tree.items[static_cast<std::size_t>(~block.child[lane])] : 0;
+      const Index triangle = item ? tree.items[block.item_place(lane)] : 0;
       ASSERT_EQ(lanes.number[lane], triangle);
       for (std::size_t corner = 0; corner < 3; ++corner)
         for (int axis = 0; axis < 3; ++axis) {

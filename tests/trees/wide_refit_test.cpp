@@ -26,9 +26,9 @@ std::vector<Aabb> leaf_boxes_of(const TriangleMesh& mesh) {
 Aabb expect_holds(const WideBvh& tree, const std::vector<Aabb>& boxes, std::size_t block) {
   Aabb all;
   for (std::size_t lane = 0; lane < tree.blocks[block].count; ++lane) {
-    const std::int32_t child = tree.blocks[block].child[lane];
-    const Aabb below = child < 0 ? boxes[tree.items[static_cast<std::size_t>(~child)]]
-                                 : expect_holds(tree, boxes, static_cast<std::size_t>(child));
+    const WideBlock& here = tree.blocks[block];
+    const Aabb below = here.is_item(lane) ? boxes[tree.items[here.item_place(lane)]]
+                                          : expect_holds(tree, boxes, static_cast<std::size_t>(here.child[lane]));
     EXPECT_TRUE(contains(box_of(tree, block, lane), below)) << "block " << block << ", lane " << lane;
     all = merge(all, below);
   }

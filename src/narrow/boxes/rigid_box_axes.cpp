@@ -269,7 +269,7 @@ Nearness rigid_boxes_along_axes(const BoxView& a, const BoxView& b, RigidBoxAxes
   return nearness;
 }
 
-Nearness boxes_along_axes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
+Nearness boxes_along_axes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b, RigidBoxAxes& stored) {
   const Row places = magnitude(load_three(a.centre())) + magnitude(load_three(b.centre()));
   const Vec3 *centre_a = &pose_a.offset, *centre_b = &pose_b.offset;
   Vec3 moved_a, moved_b;
@@ -288,8 +288,11 @@ Nearness boxes_along_axes(const Box& a, const Pose& pose_a, const Box& b, const 
                        load_three(a.half_extents()),
                        load_three(b.half_extents()),
                        load_three(*centre_b) - load_three(*centre_a)};
+  const AxesError error = error_of(pose_a, pose_b, boxes, places);
   AxesInRows axes;
-  return look_along_axes(boxes, error_of(pose_a, pose_b, boxes, places), axes);
+  const Nearness nearness = look_along_axes(boxes, error, axes);
+  if (nearness == Nearness::unknown) store_all(axes, error.error, stored);
+  return nearness;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -326,10 +329,15 @@ bool faces_overlap(const RigidBoxAxes& axes) {
          std::all_of(axes.overlap_b.begin(), axes.overlap_b.begin() + 3, overlap);
 }
 
+/// What is left unknown of boxes with parallel edges; that is what most boxes are that nobody has turned.
+Nearness whatever_edges_tell(const RigidBoxAxes& axes, const Vec3& half_extents_b) {
+  const bool meet = faces_overlap(axes) && nearly_parallel_edges_do_not_matter(axes, half_extents_b);
+  return meet ? Nearness::meet : Nearness::unknown;
+}
+
 Nearness nearness_with(const BoxView& a, const BoxView& b, RigidBoxAxes& axes, Storing storing) {
   const Nearness nearness = HWY_DYNAMIC_DISPATCH(rigid_boxes_along_axes)(a, b, axes, storing);
-  if (nearness != Nearness::unknown || !faces_overlap(axes)) return nearness;
-  return nearly_parallel_edges_do_not_matter(axes, b.box->half_extents) ? Nearness::meet : Nearness::unknown;
+  return nearness == Nearness::unknown ? whatever_edges_tell(axes, b.box->half_extents) : nearness;
 }
 
 }  // namespace
@@ -340,7 +348,9 @@ Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b) {
 }
 
 Nearness nearness_of_boxes(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
-  return HWY_DYNAMIC_DISPATCH(boxes_along_axes)(a, pose_a, b, pose_b);
+  RigidBoxAxes axes;
+  const Nearness nearness = HWY_DYNAMIC_DISPATCH(boxes_along_axes)(a, pose_a, b, pose_b, axes);
+  return nearness == Nearness::unknown ? whatever_edges_tell(axes, b.half_extents()) : nearness;
 }
 
 Nearness nearness_of_rigid_boxes(const BoxView& a, const BoxView& b, RigidBoxAxes& axes) {
