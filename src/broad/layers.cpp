@@ -7,6 +7,7 @@
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
 #include "broad/packed_bvh.hpp"
+#include "core/empty_list.hpp"
 #include "toccata/core/parallel.hpp"
 
 namespace toccata {
@@ -91,10 +92,10 @@ class Layers final : public PairFinder {
     everything_ = make_kd_tiles();
     resting_ = {};
     moving_ = {};
-    roles_ = {};
-    places_ = {};
-    movers_ = {};
-    flat_movers_ = {};
+    free_list(roles_);
+    free_list(places_);
+    free_list(movers_);
+    free_list(flat_movers_);
   }
 
   void make(std::span<const Aabb> boxes, std::span<const Index> movers) {

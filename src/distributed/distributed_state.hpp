@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/empty_list.hpp"
 #include "distributed/model_bytes.hpp"
 #include "distributed/ranks.hpp"
 #include "distributed/space_of_ranks.hpp"
@@ -57,11 +58,11 @@ struct WantedChanges {
 
   /// Once they are in messages: many may be all that there is memory for.
   void free_bodies() {
-    added = {};
-    boxes_of_added = {};
-    moved = {};
-    bodies_deformed = {};
-    replaced = {};
+    free_list(added);
+    free_list(boxes_of_added);
+    free_list(moved);
+    free_list(bodies_deformed);
+    free_list(replaced);
   }
 
   [[nodiscard]] bool is_empty() const {

@@ -2,6 +2,7 @@
 #include <exception>
 #include <iterator>
 
+#include "core/empty_list.hpp"
 #include "distributed/distributed_state.hpp"
 #include "toccata/broad/broad_phase.hpp"
 #include "toccata/core/error.hpp"
@@ -136,8 +137,11 @@ void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector
     }
   sort_by_ids(before);
 
-  last_.begin.clear();
-  last_.persist.clear();
+  free_list(told_);
+
+  const std::size_t most_kept = std::min(now.size(), before.size());
+  empty_list(last_.begin, now.size() - most_kept);
+  empty_list(last_.persist, most_kept);
   PairsInOrder known{std::span<const PairOfIds>(before)};
   for (const GlobalPairReport& report : now)
     (known.find(ids_of(report)) != nullptr ? last_.persist : last_.begin).push_back(report);
@@ -165,10 +169,12 @@ void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock)
   seconds.division = clock.lap();
   all_do([&] { send_where_they_belong(changes, letters); });
   changes.free_bodies();
-  const std::vector<Received> received = ranks_.exchange(letters);
+  std::vector<Received> received = ranks_.exchange(letters);
+  letters = {};
   seconds.sending = clock.lap();
   all_do([&] {
     receive(changes, received);
+    free_list(received);  // in the first step as much as all bodies
     seconds.receiving = clock.lap();
     find_pairs();
   });

@@ -83,6 +83,7 @@ Crowd::Crowd(std::string_view scene, std::size_t count, std::uint64_t seed) {
   std::vector<Vec3> heaps(std::max<std::size_t>(1, count / 2000));
   for (Vec3& heap : heaps) heap = vector_between(random, 0.05 * side, 0.95 * side);
   const double speed = scene == "fast" ? 1 : 0.01;
+  bodies_.reserve(count);
   for (Index number = 0; number < count; ++number) {
     Body body;
     body.centre = times(vector_between(random, 0, 1), room);

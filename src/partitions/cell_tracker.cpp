@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/empty_list.hpp"
 #include "partitions/cell_table.hpp"
 #include "partitions/shared_cells.hpp"
 #include "toccata/core/error.hpp"
@@ -152,7 +153,7 @@ class CellTracker<D>::State {
     *std::find(there.begin(), there.end(), number) = there.back();
     there.pop_back();
     if (!there.empty()) return;
-    there = {};
+    free_list(there);
     table_.take_out(cell);
     --in_use_;
   }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/empty_list.hpp"
 #include "partitions/cell_table.hpp"
 #include "partitions/shared_cells.hpp"
 #include "toccata/core/error.hpp"
@@ -209,7 +210,7 @@ class UniformGrid<D>::State {
 
   void finish() {
     lists = item_lists(entries, table.size());
-    entries = {};
+    free_list(entries);
   }
 
   std::vector<ItemInList> entries;

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "core/empty_list.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/trees/wide_bvh.hpp"
@@ -121,7 +122,7 @@ void join(WideBvh& tree, std::vector<BinaryNode>& nodes, std::span<Subtree> subt
   fill_blocks(tree.blocks, plans, nodes, {});
   for (Subtree& subtree : subtrees) {
     append(tree.blocks, subtree);
-    subtree.blocks = {};
+    free_list(subtree.blocks);
   }
 }
 

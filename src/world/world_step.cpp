@@ -2,6 +2,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/empty_list.hpp"
 #include "toccata/core/error.hpp"
 #include "world/world_state.hpp"
 
@@ -82,9 +83,10 @@ std::vector<PairReport> World::State::reports() const {
 }
 
 void World::State::tell(std::vector<PairReport> now) {
-  last_.begin.clear();
-  last_.persist.clear();
-  last_.end.clear();
+  const std::size_t most_kept = std::min(now.size(), pairs_.size());
+  empty_list(last_.begin, now.size() - most_kept);
+  empty_list(last_.persist, most_kept);
+  empty_list(last_.end, pairs_.size() - most_kept);
   auto before = pairs_.begin();
   for (const PairReport& report : now) {
     for (; before != pairs_.end() && key_of(*before) < key_of(report); ++before) last_.end.push_back(*before);
