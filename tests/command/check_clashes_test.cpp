@@ -172,5 +172,45 @@ TEST_F(CheckClashesOfCommand, ASavedCaseAndAReportAskTheSameAgain) {
   EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
 }
 
+TEST_F(CheckClashesOfCommand, OverlapBodiesAreOfThePairsThatAreTold) {
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--overlap-bodies", "bodies.glb"});
+    const auto run = check(options);
+    EXPECT_NE(run.exit_code, 2) << run.err;
+    return run.out.substr(std::min(run.out.find("bodies.glb: "), run.out.size())) + run.err;
+  };
+  EXPECT_EQ(told({}), "bodies.glb: 2 overlap bodies.\n");
+  EXPECT_EQ(told({"--ignore", "bolt 2", "--touching", "ignore", "--threads", "2"}), "bodies.glb: 1 overlap body.\n");
+  EXPECT_EQ(told({"--tolerance", "0.1mm"}), "bodies.glb: 2 overlap bodies.\n");
+  const std::string file = test::text_of(folder.path() / "bodies.glb");
+  EXPECT_NE(file.find(R"("name":"a × bolt 1","extras":{"a":"a","b":"bolt 1","tolerance":"within")"), std::string::npos);
+  EXPECT_EQ(told({"--ignore", "a"}), "bodies.glb: 0 overlap bodies.\n");
+  const std::string none = told({"--solid", "none"});
+  EXPECT_TRUE(none.starts_with("bodies.glb: 0 overlap bodies.\n")) << none;
+  EXPECT_NE(none.find("pairs that overlap have no body: a × bolt 1: a surface takes part"), std::string::npos) << none;
+}
+
+TEST_F(CheckClashesOfCommand, OverlapBodiesOfAStoppedCheckAreToldToBeMissing) {
+  const auto run = check({"--stop-after", "1e-9", "--overlap-bodies", "bodies.glb"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.out.find("bodies.glb: 0 overlap bodies.\n"), std::string::npos) << run.out;
+}
+
+TEST_F(CheckClashesOfCommand, AFileForOverlapBodiesThatCannotBeWrittenIsTold) {
+  folder.write("mine.glb", "not Toccata's");
+  for (const auto& [file, reason] : {std::pair("nowhere/bodies.glb", "nowhere"), std::pair("bodies.obj", ".glb"),
+                                     std::pair("mine.glb", "not a GLB file of Toccata")}) {
+    const auto run = check({"--overlap-bodies", file});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(test::text_of(folder.path() / "mine.glb"), "not Toccata's");
+  const auto same = check({"--overlap-bodies", "one.glb", "--glb", "one.glb"});
+  EXPECT_EQ(same.exit_code, 2);
+  EXPECT_NE(same.err.find("--overlap-bodies"), std::string::npos) << same.err;
+}
+
 }  // namespace
 }  // namespace toccata
