@@ -17,7 +17,7 @@ namespace {
 using SurfaceEdge = std::array<Index, 2>;
 /// An edge of a mesh, as its graph numbers the ends: the lesser first.
 using MeshEdge = std::array<Index, 2>;
-using Corners = std::array<Index, 3>;
+using CornerNumbers = std::array<Index, 3>;
 
 /// The vertices of the surface, those of equal coordinates taken as one.
 class SurfaceVertices {
@@ -52,7 +52,7 @@ struct CutSurface {
   std::map<Index, std::vector<SurfaceEdge>> borders{};         ///< of triangles, where the other's cross them
 };
 
-MeshEdge edge_of(const Corners& corners, std::size_t i) {
+MeshEdge edge_of(const CornerNumbers& corners, std::size_t i) {
   const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
   return {low, high};
 }
@@ -76,12 +76,12 @@ std::vector<SurfaceEdge> uncancelled(const std::vector<SurfaceEdge>& edges) {
   return left;
 }
 
-EnclosedVolume enclosed_by(std::span<const Vec3> vertices, std::span<const Corners> triangles) {
+EnclosedVolume enclosed_by(std::span<const Vec3> vertices, std::span<const CornerNumbers> triangles) {
   EnclosedVolume enclosed;
   if (triangles.empty()) return enclosed;
   const Vec3 origin = vertices[triangles[0][0]];
   double area = 0, reach = 0, extent = 0;
-  for (const Corners& t : triangles) {
+  for (const CornerNumbers& t : triangles) {
     const Vec3 p = vertices[t[0]] - origin, q = vertices[t[1]] - origin, r = vertices[t[2]] - origin;
     enclosed.volume += dot(p, cross(q, r)) / 6;
     area += plain_length(cross(q - p, r - p)) / 2;
@@ -132,7 +132,7 @@ class SurfaceMaker {
   template <class See>
   void see_edges(CutSurface& side, Index triangle, Index passed, const Triangle& plane,
                  const std::array<int, 3>& through, const See& see) {
-    const Corners corners = side.surface.graph().corners(triangle);
+    const CornerNumbers corners = side.surface.graph().corners(triangle);
     for (std::size_t i = 0; i < 3; ++i) {
       if (through[i] == 0) continue;
       const MeshEdge edge = edge_of(corners, i);
@@ -159,15 +159,15 @@ class SurfaceMaker {
 
   void add_whole(CutSurface& side) {
     for (const auto& [number, winding] : side.surface.whole_triangles()) {
-      Corners t = side.surface.graph().corners(number);
+      CornerNumbers t = side.surface.graph().corners(number);
       for (Index& corner : t) corner = vertex_of(side, corner);
       add_triangle(side, t);
     }
   }
 
-  void add_triangle(const CutSurface& side, const Corners& t) {
+  void add_triangle(const CutSurface& side, const CornerNumbers& t) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
-    triangles_.push_back(side.own_winding > 0 ? t : Corners{t[0], t[2], t[1]});
+    triangles_.push_back(side.own_winding > 0 ? t : CornerNumbers{t[0], t[2], t[1]});
   }
 
   /// The parts of an edge that are inside the other solid. Crossings too near each other for their order to be known
@@ -198,7 +198,7 @@ class SurfaceMaker {
   /// What of a triangle in contact is inside. False where it cannot be cut.
   [[nodiscard]] bool cut(CutSurface& side, Index number) {
     std::vector<SurfaceEdge> edges = side.borders[number];
-    const Corners corners = side.surface.graph().corners(number);
+    const CornerNumbers corners = side.surface.graph().corners(number);
     for (std::size_t i = 0; i < 3; ++i) {
       const MeshEdge edge = edge_of(corners, i);
       const std::vector<SurfaceEdge>* parts = inner_parts(side, edge);
@@ -230,7 +230,7 @@ class SurfaceMaker {
       }
       ways.push_back(edge);
     }
-    const auto add = [&](const Corners& c) { add_triangle(side, {own[c[0]], own[c[1]], own[c[2]]}); };
+    const auto add = [&](const CornerNumbers& c) { add_triangle(side, {own[c[0]], own[c[1]], own[c[2]]}); };
     std::vector<CornerLoop> loops = loops_of_edges(points, ways);
     if (loops.empty()) return false;
     std::erase_if(loops, [&](const CornerLoop& loop) {
@@ -240,7 +240,7 @@ class SurfaceMaker {
     });
     const auto triangles = cut_loops(points, loops, 0x1p6 * negligible_area(points));
     if (!triangles) return false;
-    for (const Corners& c : *triangles) add(c);
+    for (const CornerNumbers& c : *triangles) add(c);
     return true;
   }
 
@@ -256,19 +256,19 @@ class SurfaceMaker {
 
   /// Two triangles of the same corners, the one seen from behind, are nothing.
   void drop_cancelled() {
-    std::map<Corners, int> counts;  // by the corners ascending
-    const auto turned = [](const Corners& t) {
-      Corners sorted = t;
+    std::map<CornerNumbers, int> counts;  // by the corners ascending
+    const auto turned = [](const CornerNumbers& t) {
+      CornerNumbers sorted = t;
       std::sort(sorted.begin(), sorted.end());
       const int rises = (t[0] < t[1] ? 1 : 0) + (t[1] < t[2] ? 1 : 0) + (t[2] < t[0] ? 1 : 0);
       return std::pair(sorted, rises == 2);
     };
-    for (const Corners& t : triangles_) {
+    for (const CornerNumbers& t : triangles_) {
       const auto [corners, is_even] = turned(t);
       counts[corners] += is_even ? 1 : -1;
     }
-    std::vector<Corners> left;
-    for (const Corners& t : triangles_) {
+    std::vector<CornerNumbers> left;
+    for (const CornerNumbers& t : triangles_) {
       const auto [corners, is_even] = turned(t);
       int& count = counts[corners];
       if (count == 0 || (count > 0) != is_even) continue;
@@ -280,7 +280,7 @@ class SurfaceMaker {
 
   [[nodiscard]] bool is_closed() const {
     std::vector<SurfaceEdge> edges;
-    for (const Corners& t : triangles_)
+    for (const CornerNumbers& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
     std::sort(edges.begin(), edges.end());
     std::vector<SurfaceEdge> back;
@@ -291,24 +291,24 @@ class SurfaceMaker {
 
   void drop_flat_pieces() {
     UnionFind joined(vertices_.positions().size());
-    for (const Corners& t : triangles_) {
+    for (const CornerNumbers& t : triangles_) {
       joined.unite(t[0], t[1]);
       joined.unite(t[0], t[2]);
     }
     std::map<Index, ClosedSurface> pieces;  // by a vertex
-    for (const Corners& t : triangles_) pieces[joined.leader(t[0])].triangles.push_back(t);
+    for (const CornerNumbers& t : triangles_) pieces[joined.leader(t[0])].triangles.push_back(t);
     std::map<Index, bool> is_flat;
     for (auto& [leader, piece] : pieces) {
       const EnclosedVolume enclosed = enclosed_by(vertices_.positions(), piece.triangles);
       is_flat[leader] = !(enclosed.volume > enclosed.error);
     }
-    std::erase_if(triangles_, [&](const Corners& t) { return is_flat[joined.leader(t[0])]; });
+    std::erase_if(triangles_, [&](const CornerNumbers& t) { return is_flat[joined.leader(t[0])]; });
   }
 
   [[nodiscard]] ClosedSurface compact() const {
     ClosedSurface surface;
     std::map<Index, Index> numbers;
-    for (Corners t : triangles_) {
+    for (CornerNumbers t : triangles_) {
       for (Index& corner : t) {
         const auto [found, is_new] = numbers.try_emplace(corner, static_cast<Index>(surface.vertices.size()));
         if (is_new) surface.vertices.push_back(vertices_.position(corner));
@@ -323,7 +323,7 @@ class SurfaceMaker {
   std::array<CutSurface, 2> sides_;
   SurfaceVertices vertices_;
   std::map<EdgePass, Index> passes_;
-  std::vector<Corners> triangles_;
+  std::vector<CornerNumbers> triangles_;
 };
 
 }  // namespace
