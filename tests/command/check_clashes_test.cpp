@@ -185,9 +185,43 @@ TEST_F(CheckClashesOfCommand, OverlapBodiesAreOfThePairsThatAreTold) {
   const std::string file = test::text_of(folder.path() / "bodies.glb");
   EXPECT_NE(file.find(R"("name":"a × bolt 1","extras":{"a":"a","b":"bolt 1","tolerance":"within")"), std::string::npos);
   EXPECT_EQ(told({"--ignore", "a"}), "bodies.glb: 0 overlap bodies.\n");
-  const std::string none = told({"--solid", "none"});
-  EXPECT_TRUE(none.starts_with("bodies.glb: 0 overlap bodies.\n")) << none;
-  EXPECT_NE(none.find("pairs that overlap have no body: a × bolt 1: a surface takes part"), std::string::npos) << none;
+  const auto none = run_command({"check",
+                                 "gen:torus",
+                                 "gen:torus",
+                                 "--pose-b",
+                                 "1",
+                                 "0",
+                                 "0",
+                                 "0",
+                                 "1",
+                                 "0",
+                                 "0",
+                                 "0",
+                                 "1",
+                                 "0.5",
+                                 "0",
+                                 "0",
+                                 "--solid",
+                                 "none",
+                                 "--overlap-bodies",
+                                 "bodies.glb"},
+                                folder.path());
+  EXPECT_NE(none.out.find("bodies.glb: 0 overlap bodies.\n"), std::string::npos) << none.out;
+  EXPECT_NE(none.err.find("1 pair that overlaps has no body: torus"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find(": a surface takes part, which has no inside"), std::string::npos) << none.err;
+}
+
+TEST_F(CheckClashesOfCommand, OverlapBodiesOfASavedCaseAreThose) {
+  check({"--overlap-bodies", "bodies.glb", "--save-case", "case.json"});
+  const auto again = run_command({"check", "case.json", "--overlap-bodies", "again.glb"}, folder.path());
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_NE(again.out.find("again.glb: 2 overlap bodies.\n"), std::string::npos) << again.out;
+  const auto bodies_in = [&](const char* file) {
+    const std::string bytes = test::text_of(folder.path() / file);
+    return bytes.substr(std::min(bytes.find("BIN"), bytes.size()));
+  };
+  EXPECT_FALSE(bodies_in("again.glb").empty());
+  EXPECT_EQ(bodies_in("again.glb"), bodies_in("bodies.glb"));
 }
 
 TEST_F(CheckClashesOfCommand, OverlapBodiesOfAStoppedCheckAreToldToBeMissing) {

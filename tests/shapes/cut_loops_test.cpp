@@ -49,7 +49,7 @@ void expect_cut(const Drawing& drawing) {
     area += one;
     for (std::size_t i = 0; i < 3; ++i) there.push_back({t[i], t[(i + 1) % 3]});
   }
-  EXPECT_NEAR(area, drawing.area(), 1e-12);
+  EXPECT_NEAR(area, drawing.area(), 1e-14 * drawing.area());
   for (const auto& [from, to] : there) back.push_back({to, from});
   for (const CornerLoop& loop : drawing.loops)
     for (std::size_t i = 0; i < loop.size(); ++i) back.push_back({loop[i], loop[(i + 1) % loop.size()]});
