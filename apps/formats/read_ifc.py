@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Writes a scene file of what an IFC file (ISO 16739) holds: each element with a shape an object, called by its type, name
-and GlobalId, each shape once however often it is placed, in metres. By IfcOpenShell.
+"""Writes a scene file of what an IFC file (ISO 16739) holds: each element with a shape an object, called by where it is in the
+building, its class, name and GlobalId ("House/Level 1/IfcWall/outer wall [2O2Fr$t4X7Zf8NOew3FLOH]"), each shape once however often
+it is placed, in metres. By IfcOpenShell.
 
 usage: toccata-read-ifc FILE.ifc SCENE.json [--tessellation LENGTH]
 
@@ -40,6 +41,34 @@ def pose_of(matrix):
     return [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10], m[12], m[13], m[14]]
 
 
+# By which relations an element hangs on what holds it: what it is in, what it is a part of, what it fills.
+PARENTS = (("ContainedInStructure", "RelatingStructure"), ("Decomposes", "RelatingObject"), ("Nests", "RelatingObject"),
+           ("FillsVoids", "RelatingOpeningElement"), ("VoidsElements", "RelatingBuildingElement"))
+
+
+def parent_of(element):
+    for relation, parent in PARENTS:
+        for one in getattr(element, relation, None) or ():
+            if getattr(one, parent, None) is not None:
+                return getattr(one, parent)
+    return None
+
+
+def is_place(element):
+    """A building, a storey, a space, a part of a bridge. Project and site are around everything."""
+    return element.is_a("IfcSpatialStructureElement") and not element.is_a("IfcSite")
+
+
+def places_of(element):
+    """The names of the places that hold it, from the largest on."""
+    names, seen = [], set()
+    while (element := parent_of(element)) is not None and element.id() not in seen:
+        seen.add(element.id())  # a damaged file may lead round
+        if is_place(element):
+            names.append(element.Name or getattr(element, "LongName", None) or element.is_a())
+    return names[::-1]
+
+
 class Scene:
     def __init__(self, source):
         self.source, self.objects, self.meshes, self.taken = source, [], {}, set()
@@ -57,7 +86,7 @@ class Scene:
             if not shape.geometry.faces:
                 return
             self.meshes[key] = {"vertices": text_of("d", shape.geometry.verts), "triangles": text_of("I", shape.geometry.faces)}
-        name = f"{element.is_a()}/{element.Name or 'unnamed'} [{element.GlobalId}]"
+        name = "/".join([*places_of(element), element.is_a(), f"{element.Name or 'unnamed'} [{element.GlobalId}]"])
         self.objects.append({"name": self.free_name(name), "mesh": key, "pose": pose_of(shape.transformation.matrix), "source": self.source})
 
     def json(self):
@@ -111,7 +140,7 @@ def tell(model, scene, left_out, tessellation):
     if left_out:
         print(f"{left_out} openings, spaces, annotations and grids are left out")
     with_shape = {element.GlobalId for element in model.by_type("IfcElement") if element.Representation and not element.is_a("IfcOpeningElement")}
-    missing = len(with_shape - {name[-23:-1] for name in scene.taken})
+    missing = len(with_shape - {name.rpartition('[')[2][:22] for name in scene.taken})
     if missing > 0:
         print(f"{missing} elements with a shape could not be meshed, and are missing")
 

@@ -34,7 +34,7 @@ struct InputArguments {
 
 /// Files for other programs; those that are empty are not asked for.
 struct ExchangeFiles {
-  std::string junit, sarif, bcf;
+  std::string junit, sarif, bcf, overlap_bodies;
   std::string bcf_version = "2.1";
 };
 

@@ -18,23 +18,31 @@
 namespace toccata::command {
 namespace {
 
-/// A kind of file, where the arguments name it, and what makes it.
-struct ExchangeFormat {
-  const char* option;
-  std::string ExchangeFiles::*file;
-  OutputKind kind;
-  std::string (*bytes)(const Findings&);
-};
-
-constexpr std::array exchange_formats{ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, junit_xml},
-                                      ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif, sarif_json},
-                                      ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, bcf_zip}};
-
 /// How many of the findings are no clash.
 std::string within_text(const CheckReport& report) {
   const auto within = std::count_if(report.pairs.begin(), report.pairs.end(), std::not_fn(is_clash));
   return within == 0 ? "" : fmt::format(", {} of them within the tolerance", within);
 }
+
+/// Of a file that tells all findings.
+template <std::string (*bytes)(const Findings&)>
+ExchangeContent findings_content(const Findings& findings) {
+  return {bytes(findings), counted(findings.report.pairs.size(), "finding") + within_text(findings.report)};
+}
+
+/// A kind of file, where the arguments name it, and what makes it.
+struct ExchangeFormat {
+  const char* option;
+  std::string ExchangeFiles::*file;
+  OutputKind kind;
+  ExchangeContent (*content)(const Findings&);
+};
+
+constexpr std::array exchange_formats{
+    ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, findings_content<junit_xml>},
+    ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif, findings_content<sarif_json>},
+    ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, findings_content<bcf_zip>},
+    ExchangeFormat{"--overlap-bodies", &ExchangeFiles::overlap_bodies, OutputKind::glb, overlap_bodies_content}};
 
 }  // namespace
 
@@ -48,6 +56,8 @@ void add_exchange(CLI::App& app, ExchangeFiles& files) {
       ->check(CLI::IsMember({"2.1", "3.0"}))
       ->capture_default_str()
       ->needs(bcf);
+  add_file(app, "--overlap-bodies", files.overlap_bodies,
+           "write GLB of what each two solids that overlap have in common, as closed meshes", "FILE.glb");
 }
 
 void require_exchange(const PosedArguments& arguments) {
@@ -72,10 +82,10 @@ std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, c
     if (report == nullptr)
       throw Error(
           fmt::format("{} tells pairs of a check, and another question was asked: leave it out", format.option));
-    const std::string bytes = format.bytes({input, *report, arguments, is_failure});
+    const ExchangeContent content = format.content({input, *report, arguments, is_failure});
     const UninterruptedWriting writing;
-    write_output(bytes, file, format.kind);
-    told += fmt::format("{}: {}{}.\n", printable(file), counted(report->pairs.size(), "finding"), within_text(*report));
+    write_output(content.bytes, file, format.kind);
+    told += fmt::format("{}: {}.\n", printable(file), content.holds);
   }
   return told;
 }

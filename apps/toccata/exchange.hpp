@@ -12,8 +12,8 @@ namespace CLI {
 class App;
 }
 
-// What a check found, in files for other programs: JUnit XML and SARIF for continuous integration, and BCF, by which
-// programs for building models exchange issues (docs/reference/exchange.md).
+// What a check found, in files for other programs: JUnit XML and SARIF for continuous integration, BCF, by which
+// programs for building models exchange issues, and GLB of what solids have in common (docs/reference/exchange.md).
 namespace toccata::command {
 
 /// Whether a pair makes the check fail.
@@ -32,7 +32,16 @@ struct Findings {
 /// A zip.
 [[nodiscard]] std::string bcf_zip(const Findings& findings);
 
-/// --junit, --sarif and --bcf.
+/// What a file holds, and in words how much that is.
+struct ExchangeContent {
+  std::string bytes;
+  std::string holds;
+};
+
+/// Warns of the pairs that have no body. Takes long, and tells how far it is; at the time limit the others have none.
+[[nodiscard]] ExchangeContent overlap_bodies_content(const Findings& findings);
+
+/// --junit, --sarif, --bcf and --overlap-bodies.
 void add_exchange(CLI::App& app, ExchangeFiles& files);
 
 /// Throws Error, before long work, naming the file that cannot be written.

@@ -178,9 +178,9 @@ void take_words(PosedArguments& arguments) {
 }
 
 std::vector<std::string> asking_options(const CLI::App& app) {
-  constexpr std::array writing{"--json",  "--csv", "--threads",     "--html",      "--png",   "--size",
-                               "--look",  "--glb", "--output",      "--save-case", "--cache", "--junit",
-                               "--sarif", "--bcf", "--bcf-version", "--names"};
+  constexpr std::array writing{"--json",  "--csv", "--threads",     "--html",           "--png",   "--size",
+                               "--look",  "--glb", "--output",      "--save-case",      "--cache", "--junit",
+                               "--sarif", "--bcf", "--bcf-version", "--overlap-bodies", "--names"};
   const auto is_about_writing = [&](const CLI::Option& option) {
     return std::any_of(writing.begin(), writing.end(), [&](const char* name) { return option.check_name(name); });
   };

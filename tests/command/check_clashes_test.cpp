@@ -172,5 +172,79 @@ TEST_F(CheckClashesOfCommand, ASavedCaseAndAReportAskTheSameAgain) {
   EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
 }
 
+TEST_F(CheckClashesOfCommand, OverlapBodiesAreOfThePairsThatAreTold) {
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--overlap-bodies", "bodies.glb"});
+    const auto run = check(options);
+    EXPECT_NE(run.exit_code, 2) << run.err;
+    return run.out.substr(std::min(run.out.find("bodies.glb: "), run.out.size())) + run.err;
+  };
+  EXPECT_EQ(told({}), "bodies.glb: 2 overlap bodies.\n");
+  EXPECT_EQ(told({"--ignore", "bolt 2", "--touching", "ignore", "--threads", "2"}), "bodies.glb: 1 overlap body.\n");
+  EXPECT_EQ(told({"--tolerance", "0.1mm"}), "bodies.glb: 2 overlap bodies.\n");
+  const std::string file = test::text_of(folder.path() / "bodies.glb");
+  EXPECT_NE(file.find(R"("name":"a × bolt 1","extras":{"a":"a","b":"bolt 1","tolerance":"within")"), std::string::npos);
+  EXPECT_EQ(told({"--ignore", "a"}), "bodies.glb: 0 overlap bodies.\n");
+  const auto none = run_command({"check",
+                                 "gen:torus",
+                                 "gen:torus",
+                                 "--pose-b",
+                                 "1",
+                                 "0",
+                                 "0",
+                                 "0",
+                                 "1",
+                                 "0",
+                                 "0",
+                                 "0",
+                                 "1",
+                                 "0.5",
+                                 "0",
+                                 "0",
+                                 "--solid",
+                                 "none",
+                                 "--overlap-bodies",
+                                 "bodies.glb"},
+                                folder.path());
+  EXPECT_NE(none.out.find("bodies.glb: 0 overlap bodies.\n"), std::string::npos) << none.out;
+  EXPECT_NE(none.err.find("1 pair that overlaps has no body: torus"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find(": a surface takes part, which has no inside"), std::string::npos) << none.err;
+}
+
+TEST_F(CheckClashesOfCommand, OverlapBodiesOfASavedCaseAreThose) {
+  check({"--overlap-bodies", "bodies.glb", "--save-case", "case.json"});
+  const auto again = run_command({"check", "case.json", "--overlap-bodies", "again.glb"}, folder.path());
+  EXPECT_EQ(again.exit_code, 1) << again.err;
+  EXPECT_NE(again.out.find("again.glb: 2 overlap bodies.\n"), std::string::npos) << again.out;
+  const auto bodies_in = [&](const char* file) {
+    const std::string bytes = test::text_of(folder.path() / file);
+    return bytes.substr(std::min(bytes.find("BIN"), bytes.size()));
+  };
+  EXPECT_FALSE(bodies_in("again.glb").empty());
+  EXPECT_EQ(bodies_in("again.glb"), bodies_in("bodies.glb"));
+}
+
+TEST_F(CheckClashesOfCommand, OverlapBodiesOfAStoppedCheckAreToldToBeMissing) {
+  const auto run = check({"--stop-after", "1e-9", "--overlap-bodies", "bodies.glb"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.out.find("bodies.glb: 0 overlap bodies.\n"), std::string::npos) << run.out;
+}
+
+TEST_F(CheckClashesOfCommand, AFileForOverlapBodiesThatCannotBeWrittenIsTold) {
+  folder.write("mine.glb", "not Toccata's");
+  for (const auto& [file, reason] : {std::pair("nowhere/bodies.glb", "nowhere"), std::pair("bodies.obj", ".glb"),
+                                     std::pair("mine.glb", "not a GLB file of Toccata")}) {
+    const auto run = check({"--overlap-bodies", file});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(test::text_of(folder.path() / "mine.glb"), "not Toccata's");
+  const auto same = check({"--overlap-bodies", "one.glb", "--glb", "one.glb"});
+  EXPECT_EQ(same.exit_code, 2);
+  EXPECT_NE(same.err.find("--overlap-bodies"), std::string::npos) << same.err;
+}
+
 }  // namespace
 }  // namespace toccata

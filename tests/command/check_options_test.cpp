@@ -58,6 +58,7 @@ const std::map<std::string, Words>& samples() {
                                                    {"--sarif", {"--sarif", "found.sarif"}},
                                                    {"--bcf", {"--bcf", "found.bcf"}},
                                                    {"--bcf-version", {"--bcf", "found.bcf", "--bcf-version", "3.0"}},
+                                                   {"--overlap-bodies", {"--overlap-bodies", "bodies.glb"}},
                                                    {"--json", {"--json"}},
                                                    {"--csv", {"--csv"}},
                                                    {"--threads", {"--threads", "2"}},
@@ -116,23 +117,56 @@ TEST_F(CheckOptionsTogether, EveryOptionHasASample) {
 }
 
 TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
-  const std::set<std::pair<std::string, std::string>> refused = {
-      {"--baseline", "--stream"},     {"--csv", "--stream"},       {"--json", "--stream"},
-      {"--save-case", "--stream"},    {"--sort", "--stream"},      {"--poses", "--stream"},
-      {"--self", "--stream"},         {"--poses", "--stop-after"}, {"--self", "--stop-after"},
-      {"--bcf", "--poses"},           {"--bcf", "--self"},         {"--bcf-version", "--poses"},
-      {"--bcf-version", "--self"},    {"--junit", "--poses"},      {"--junit", "--self"},
-      {"--poses", "--sarif"},         {"--sarif", "--self"},       {"--baseline", "--poses"},
-      {"--baseline", "--self"},       {"--between", "--poses"},    {"--between", "--self"},
-      {"--clearance", "--poses"},     {"--clearance", "--self"},   {"--clearance-of", "--poses"},
-      {"--clearance-of", "--self"},   {"--csv", "--json"},         {"--fail-on", "--self"},
-      {"--ignore", "--poses"},        {"--ignore", "--self"},      {"--penetration", "--self"},
-      {"--pose-a", "--poses"},        {"--pose-b", "--poses"},     {"--poses", "--rules"},
-      {"--poses", "--self"},          {"--poses", "--sort"},       {"--precision", "--self"},
-      {"--rules", "--self"},          {"--self", "--solid"},       {"--self", "--sort"},
-      {"--self", "--time-per-depth"}, {"--self", "--touching"},    {"--group", "--stream"},
-      {"--group", "--poses"},         {"--group", "--self"},       {"--poses", "--tolerance"},
-      {"--self", "--tolerance"},      {"--poses", "--volume"},     {"--self", "--volume"}};
+  const std::set<std::pair<std::string, std::string>> refused = {{"--baseline", "--stream"},
+                                                                 {"--csv", "--stream"},
+                                                                 {"--json", "--stream"},
+                                                                 {"--save-case", "--stream"},
+                                                                 {"--sort", "--stream"},
+                                                                 {"--poses", "--stream"},
+                                                                 {"--self", "--stream"},
+                                                                 {"--poses", "--stop-after"},
+                                                                 {"--self", "--stop-after"},
+                                                                 {"--bcf", "--poses"},
+                                                                 {"--bcf", "--self"},
+                                                                 {"--bcf-version", "--poses"},
+                                                                 {"--bcf-version", "--self"},
+                                                                 {"--junit", "--poses"},
+                                                                 {"--junit", "--self"},
+                                                                 {"--poses", "--sarif"},
+                                                                 {"--sarif", "--self"},
+                                                                 {"--baseline", "--poses"},
+                                                                 {"--baseline", "--self"},
+                                                                 {"--between", "--poses"},
+                                                                 {"--between", "--self"},
+                                                                 {"--clearance", "--poses"},
+                                                                 {"--clearance", "--self"},
+                                                                 {"--clearance-of", "--poses"},
+                                                                 {"--clearance-of", "--self"},
+                                                                 {"--csv", "--json"},
+                                                                 {"--fail-on", "--self"},
+                                                                 {"--ignore", "--poses"},
+                                                                 {"--ignore", "--self"},
+                                                                 {"--penetration", "--self"},
+                                                                 {"--pose-a", "--poses"},
+                                                                 {"--pose-b", "--poses"},
+                                                                 {"--poses", "--rules"},
+                                                                 {"--poses", "--self"},
+                                                                 {"--poses", "--sort"},
+                                                                 {"--precision", "--self"},
+                                                                 {"--rules", "--self"},
+                                                                 {"--self", "--solid"},
+                                                                 {"--self", "--sort"},
+                                                                 {"--self", "--time-per-depth"},
+                                                                 {"--self", "--touching"},
+                                                                 {"--group", "--stream"},
+                                                                 {"--group", "--poses"},
+                                                                 {"--group", "--self"},
+                                                                 {"--poses", "--tolerance"},
+                                                                 {"--self", "--tolerance"},
+                                                                 {"--poses", "--volume"},
+                                                                 {"--self", "--volume"},
+                                                                 {"--overlap-bodies", "--poses"},
+                                                                 {"--overlap-bodies", "--self"}};
   std::size_t pairs = 0;
   for (auto one = samples().begin(); one != samples().end(); ++one)
     for (auto other = std::next(one); other != samples().end(); ++other) {
@@ -151,7 +185,7 @@ TEST_F(CheckOptionsTogether, EveryPairWorksOrIsRefusedWithTheReason) {
       }
       ++pairs;
     }
-  EXPECT_EQ(pairs, 39U * 38 / 2);
+  EXPECT_EQ(pairs, 40U * 39 / 2);
 }
 
 TEST_F(CheckOptionsTogether, WhatIsGivenTwiceIsTroubleUnlessItMayBeRepeated) {

@@ -497,16 +497,15 @@ export class Viewer {
   private withRoom(found: Box3, chosen: Finding): Box3 {
     const boxes = objectsOf(chosen).map((object) => this.objects.boxes[object]);
     if (boxes.length === 0) return found.isEmpty() ? this.stage.wholeBox() : found;
-    const length = (box: Box3) => box.getSize(new Vector3()).length();
-    boxes.sort((a, b) => length(a) - length(b));
+    boxes.sort((a, b) => diagonalOf(a) - diagonalOf(b));
     const [smaller, larger] = [boxes[0], boxes[boxes.length - 1]];
-    if (chosen.outer !== undefined && length(larger) < 4 * length(smaller)) return larger.clone();
+    if (chosen.outer !== undefined && diagonalOf(larger) < 4 * diagonalOf(smaller)) return larger.clone();
     if (found.isEmpty()) return smaller.clone();
-    const missing = 0.6 * length(smaller) - length(found);
+    const missing = 0.6 * diagonalOf(smaller) - diagonalOf(found);
     const close = missing > 0 ? found.clone().expandByScalar(missing / 2) : found;
     const all = boxes.reduce((box, other) => box.union(other), close.clone());
     const isHalfSpace = objectsOf(chosen).some((i) => this.data.report.objects[i].shape === 'half-space');
-    return !isHalfSpace && length(all) < 4 * length(close) ? all : close;
+    return !isHalfSpace && diagonalOf(all) < 4 * diagonalOf(close) ? all : close;
   }
 
   /// The place of what is chosen with some of its objects around it, as much as tells what they are: half of what the thinner one

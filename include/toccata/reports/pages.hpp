@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "toccata/broad/broad_phase.hpp"
@@ -227,6 +228,23 @@ class WorldRecording {
 /// make an object each, and as crowd_page and world_page do.
 [[nodiscard]] std::string recording_glb(const CrowdRecording& recording, const ViewOptions& options = {});
 [[nodiscard]] std::string recording_glb(const WorldRecording& recording, const ViewOptions& options = {});
+
+/// The bodies that the pairs of a check have in common.
+struct OverlapBodiesGlb {
+  std::string glb;         ///< what write_glb takes
+  std::size_t bodies = 0;  ///< so many pairs have one
+  /// Of each pair that overlaps or crosses and has none its place in the report, and why.
+  std::vector<std::pair<std::size_t, std::string>> left_out;
+};
+
+/// A GLB file of what each two solids have in common that overlap by the report: a closed mesh in the world, under a
+/// node "A × B". No body is there that is not proved to be right but for the rounding of its corners; of a pair that
+/// has none, as one of the two is a surface, the node tells the reason (docs/reference/exchange.md). It takes `title`
+/// and `up` of `view`, and `threads`, `progress` and `stop` of `options`. The same bytes on any number of threads.
+/// Throws Error as scene_glb does.
+[[nodiscard]] OverlapBodiesGlb overlap_bodies_glb(const Scene& scene, std::span<const SceneInstance> models,
+                                                  const CheckReport& report, const ViewOptions& view = {},
+                                                  const AskOptions& options = {});
 
 /// Writes what scene_glb made: the file is complete or not there. Throws Error naming the file when it exists and was
 /// not written by Toccata, or cannot be written.

@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "query/ask.hpp"
+#include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_body.hpp"
+#include "query/volume/common_surface.hpp"
 #include "query/volume/enclosing_meshes.hpp"
+#include "query/volume/overlap_bodies.hpp"
 #include "query/volume/solid_volume.hpp"
 #include "query/volume/volume_bracket.hpp"
 #include "query/volume/volume_cells.hpp"
@@ -19,11 +22,16 @@
 namespace toccata {
 namespace {
 
-/// What two parts have in common, as a bracket.
+/// What is looked for besides the volume.
+enum class CommonWanted { volume, body };
+
+/// What two parts have in common, as a bracket, and where it is wanted as a body.
 struct CommonPiece {
   VolumeBracket volume;
   std::size_t curve_count = 0;
-  std::optional<Vec3> middle;
+  std::optional<Vec3> middle{};
+  std::optional<TriangleMesh> body{};
+  const char* no_body = nullptr;  ///< why there is none, where there should be one
 };
 
 /// The order in which two meshes are looked at does not depend on that in which they are named.
@@ -43,20 +51,47 @@ bool comes_first(const PosedMesh& a, const PosedMesh& b) {
   return true;
 }
 
-CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
+constexpr const char* several_windings = "a mesh passes through itself there, or has no inside that can be proved";
+constexpr const char* rounded_away = "rounding the corners leaves faces that cannot be cut";
+constexpr const char* too_thin = "it is thinner than the rounding of coordinates";
+
+/// Gives a piece, whose volume is known, its body. None of what its volume does not prove to be right is given.
+void add_body(CommonPiece& piece, CrossedSurfaces& surfaces, int winding_of_first, int winding_of_second) {
+  if (std::abs(winding_of_first) != 1 || std::abs(winding_of_second) != 1) {
+    piece.no_body = several_windings;
+    return;
+  }
+  auto surface = common_surface(surfaces, winding_of_first, winding_of_second);
+  if (!surface) {
+    piece.no_body = rounded_away;
+  } else if (surface->triangles.empty()) {
+    piece.no_body = too_thin;
+  } else {
+    const EnclosedVolume enclosed = enclosed_volume(*surface);
+    if (enclosed.volume + enclosed.error < piece.volume.lower || enclosed.volume - enclosed.error > piece.volume.upper)
+      piece.no_body = rounded_away;
+    else
+      piece.body.emplace(std::move(surface->vertices), std::move(surface->triangles));
+  }
+}
+
+CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, CommonWanted wanted, SearchScratch& scratch) {
   if (!overlap(a.box(), b.box())) return {};
-  if (!comes_first(a, b)) return common_piece(b, a, scratch);
+  if (!comes_first(a, b)) return common_piece(b, a, wanted, scratch);
   const Aabb region = common_box(a.box(), b.box());
   const auto winding_a = only_winding_in(a, region, scratch), winding_b = only_winding_in(b, region, scratch);
   if (winding_a == 0 || winding_b == 0) return {};
-  const WindingVolume found = winding_volume(a, b, scratch);
+  CrossedSurfaces surfaces(a, b, surface_contacts(a, b, scratch));
+  const WindingVolume found = winding_volume(surfaces);
   CommonPiece piece{{}, found.curve_count, found.middle};
   if (!winding_a || !winding_b) {
     piece.volume = volume_by_cells(a, b);
+    piece.no_body = several_windings;
     return piece;
   }
   const BoundedNumber volume = found.integral / exactly(static_cast<double>(*winding_a) * *winding_b);
   piece.volume = narrower(volume_bracket_of(volume), {0, ceiling_of(bounded_volume(region))});
+  if (wanted == CommonWanted::body) add_body(piece, surfaces, *winding_a, *winding_b);
   return piece;
 }
 
@@ -89,15 +124,18 @@ std::vector<EnclosedPart> enclosed_parts(const PosedModel& model, const PosedMod
   return parts;
 }
 
-CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, SearchScratch& scratch) {
+CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, CommonWanted wanted, SearchScratch& scratch) {
   if (!a.is_enclosed || !b.is_enclosed) {
     if (!overlap(a.box, b.box)) return {};
-    return {{0, ceiling_of(bounded_volume(common_box(a.box, b.box)))}, 0, {}};
+    CommonPiece piece{{0, ceiling_of(bounded_volume(common_box(a.box, b.box)))}};
+    piece.no_body = "one is so small or so thin that nothing but its box is known";
+    return piece;
   }
   if (!overlap(a.meshes.outer().box(), b.meshes.outer().box())) return {};
-  CommonPiece piece = common_piece(*a.meshes.within, *b.meshes.within, scratch);
-  if (a.meshes.around || b.meshes.around)
-    piece.volume.upper = common_piece(a.meshes.outer(), b.meshes.outer(), scratch).volume.upper;
+  CommonPiece piece = common_piece(*a.meshes.within, *b.meshes.within, wanted, scratch);
+  if (!a.meshes.around && !b.meshes.around) return piece;
+  piece.volume.upper = common_piece(a.meshes.outer(), b.meshes.outer(), CommonWanted::volume, scratch).volume.upper;
+  if (!piece.body && piece.no_body == nullptr) piece.no_body = "polyhedra within the round shapes do not overlap";
   return piece;
 }
 
@@ -105,7 +143,7 @@ CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, SearchScratch
 bool are_separate(const std::vector<EnclosedPart>& parts, SearchScratch& scratch) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (piece_of(parts[i], parts[j], scratch).volume.upper > 0) return false;
+      if (piece_of(parts[i], parts[j], CommonWanted::volume, scratch).volume.upper > 0) return false;
   return true;
 }
 
@@ -132,8 +170,8 @@ Vec3 likely_middle(const PosedMesh& mesh) { return 0.5 * mesh.box().lower + 0.5 
 
 class CommonParts {
  public:
-  CommonParts(const PosedModel& a, const PosedModel& b, SearchScratch& scratch)
-      : a_(enclosed_parts(a, b)), b_(enclosed_parts(b, a)), scratch_(scratch) {
+  CommonParts(const PosedModel& a, const PosedModel& b, CommonWanted wanted, SearchScratch& scratch)
+      : a_(enclosed_parts(a, b)), b_(enclosed_parts(b, a)), wanted_(wanted), scratch_(scratch) {
     for (const EnclosedPart& part_a : a_)
       for (const EnclosedPart& part_b : b_) see(part_a, part_b);
   }
@@ -147,7 +185,7 @@ class CommonParts {
     }
     if (pieces_.size() > 1) {
       volume.upper = std::nextafter(volume.upper * (1 + 0x1p-40), infinity);
-      if (are_separate(a_, scratch_) && are_separate(b_, scratch_)) volume.lower = sum_of_lowers();
+      if (are_apart()) volume.lower = sum_of_lowers();
     }
     if (pieces_.size() == 1) result.curve_count = pieces_[0].curve_count;
     result.volume = {volume.lower, volume.upper, volume_status(volume)};
@@ -155,9 +193,24 @@ class CommonParts {
     return result;
   }
 
+  /// Where bodies were wanted.
+  [[nodiscard]] OverlapBodies bodies() {
+    OverlapBodies result;
+    result.volume = found().volume;
+    for (CommonPiece& piece : pieces_) {
+      if (piece.body) result.pieces.push_back(std::move(*piece.body));
+      if (piece.no_body != nullptr && result.missing.empty()) result.missing = piece.no_body;
+    }
+    if (pieces_.empty()) result.missing = too_thin;
+    const auto is_round = [](const EnclosedPart& part) { return part.meshes.around.has_value(); };
+    result.are_within = std::any_of(a_.begin(), a_.end(), is_round) || std::any_of(b_.begin(), b_.end(), is_round);
+    result.may_overlap = result.pieces.size() > 1 && !are_apart();
+    return result;
+  }
+
  private:
   void see(const EnclosedPart& part_a, const EnclosedPart& part_b) {
-    const CommonPiece piece = piece_of(part_a, part_b, scratch_);
+    const CommonPiece piece = piece_of(part_a, part_b, wanted_, scratch_);
     if (!(piece.volume.upper > 0)) return;
     pieces_.push_back(piece);
     if (point_ || !part_a.is_enclosed || !part_b.is_enclosed) return;
@@ -168,6 +221,9 @@ class CommonParts {
       if (!point_ && point && some_part_holds(a_, *point) && some_part_holds(b_, *point)) point_ = point;
   }
 
+  /// No two pieces have an interior in common.
+  [[nodiscard]] bool are_apart() { return are_separate(a_, scratch_) && are_separate(b_, scratch_); }
+
   [[nodiscard]] double sum_of_lowers() const {
     double sum = 0;
     for (const CommonPiece& piece : pieces_) sum += piece.volume.lower;
@@ -176,6 +232,7 @@ class CommonParts {
 
   std::vector<EnclosedPart> a_;
   std::vector<EnclosedPart> b_;
+  CommonWanted wanted_;
   SearchScratch& scratch_;
   std::vector<CommonPiece> pieces_;
   std::optional<Vec3> point_;
@@ -188,7 +245,19 @@ bool have_common_volume(const PosedModel& a, const PosedModel& b) {
 }
 
 CommonSolid common_solid(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
-  return CommonParts(a, b, scratch).found();
+  return CommonParts(a, b, CommonWanted::volume, scratch).found();
+}
+
+OverlapBodies overlap_bodies(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
+  const PosedModelPair models(a, b, query, workspace.scratch());
+  OverlapBodies none;
+  if (!models.a.solid || !models.b.solid)
+    none.missing = "a surface takes part, which has no inside";
+  else if (!have_common_volume(models.a, models.b))
+    none.missing = "what two half-spaces have in common has no end";
+  else
+    return CommonParts(models.a, models.b, CommonWanted::body, workspace.scratch()).bodies();
+  return none;
 }
 
 OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query) {

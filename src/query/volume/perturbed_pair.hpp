@@ -31,6 +31,15 @@ struct EdgesThrough {
 /// Exact. Preconditions: both have area.
 [[nodiscard]] EdgesThrough perturbed_edges_through(const Triangle& first, const Triangle& second);
 
+/// Where an edge passes through a triangle of the other mesh: its ends, the lesser first, as the graph of its mesh
+/// numbers them.
+struct EdgePass {
+  VolumeSide side = VolumeSide::first;  ///< of the edge
+  std::array<Index, 2> edge{};
+  Index triangle = 0;
+  friend auto operator<=>(const EdgePass&, const EdgePass&) = default;
+};
+
 /// The curves along which two surfaces cross, by the segments that their triangles have in common.
 class CrossingCurves {
  public:
@@ -41,14 +50,6 @@ class CrossingCurves {
   [[nodiscard]] std::size_t count() const;
 
  private:
-  /// An edge by its ends, the lesser first, as its graph numbers them, and the triangle through which it passes.
-  struct EdgePass {
-    VolumeSide side = VolumeSide::first;  ///< of the edge
-    std::array<Index, 2> edge{};
-    Index triangle = 0;
-    friend auto operator<=>(const EdgePass&, const EdgePass&) = default;
-  };
-
   [[nodiscard]] Index end_at(const EdgePass& pass);
 
   std::map<EdgePass, Index> ends_;

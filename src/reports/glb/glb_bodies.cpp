@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "query/scenes/task_reporter.hpp"
+#include "query/volume/overlap_bodies.hpp"
+#include "query/workspace_pool.hpp"
+#include "reports/glb/glb_scene.hpp"
+#include "toccata/core/parallel.hpp"
+#include "toccata/reports/pages.hpp"
+
+namespace toccata {
+namespace io {
+namespace {
+
+const GlbPaint body_paint{"overlap bodies", 0xd55e00};
+
+/// A body as a GLB file has it.
+struct RoundedBody {
+  GlbFrame frame;
+  std::vector<GlbPart> pieces;
+  double volume = 0;    ///< of what is written
+  double rounding = 0;  ///< the farthest that a coordinate was moved
+};
+
+std::vector<Vec3> corners_of(const TriangleMesh& mesh) {
+  std::vector<Vec3> corners;
+  for (const auto& t : mesh.triangles())
+    for (const Index corner : t) corners.push_back(mesh.vertices()[corner]);
+  return corners;
+}
+
+/// Seen from the origin of the frame.
+Vec3 back_from(const GlbFrame& frame, const std::array<float, 3>& counted) {
+  const auto coordinate = [&](std::size_t axis) {
+    return std::ldexp(static_cast<double>(counted[axis]), frame.exponent);
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+/// Triangles whose corners the floats make one are left out: what is around them stays closed.
+GlbPart rounded_piece(std::span<const Vec3> corners, RoundedBody& body) {
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    std::array<std::array<float, 3>, 3> t{};
+    for (std::size_t k = 0; k < 3; ++k) t[k] = body.frame.counted(corners[i + k]);
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    const std::array<Vec3, 3> back{back_from(body.frame, t[0]), back_from(body.frame, t[1]),
+                                   back_from(body.frame, t[2])};
+    body.volume += dot(back[0], cross(back[1], back[2])) / 6;
+    for (std::size_t k = 0; k < 3; ++k) {
+      kept.push_back(corners[i + k]);
+      const Vec3 off = corners[i + k] - (body.frame.origin + back[k]);
+      body.rounding = std::max({body.rounding, std::abs(off.x), std::abs(off.y), std::abs(off.z)});
+    }
+  }
+  return joined_part(kept, body.frame);
+}
+
+RoundedBody rounded_body(const OverlapBodies& bodies) {
+  std::vector<Vec3> all;
+  for (const TriangleMesh& piece : bodies.pieces) {
+    const std::vector<Vec3> corners = corners_of(piece);
+    all.insert(all.end(), corners.begin(), corners.end());
+  }
+  RoundedBody body;
+  body.frame = GlbFrame::around(all);
+  for (const TriangleMesh& piece : bodies.pieces) {
+    GlbPart part = rounded_piece(corners_of(piece), body);
+    if (!part.corners.empty()) body.pieces.push_back(std::move(part));
+  }
+  return body;
+}
+
+/// What is written of a pair: a body, or why there is none.
+struct PairBody {
+  RoundedBody body;
+  Json extras;
+  std::string missing;
+};
+
+PairBody body_of(std::span<const SceneInstance> models, const ReportedPair& pair, Workspace& workspace) {
+  const SceneInstance &a = models[pair.a], &b = models[pair.b];
+  PairBody result;
+  const OverlapBodies bodies = overlap_bodies(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
+  result.missing = bodies.missing;
+  if (!result.missing.empty()) return result;
+  result.body = rounded_body(bodies);
+  if (!(result.body.volume > 0)) {
+    result.missing = "it is thinner than the floats of a GLB file tell apart";
+    return result;
+  }
+  result.extras["volume"] = {{"lower", bodies.volume.lower}, {"upper", bodies.volume.upper}};
+  result.extras["mesh_volume"] = result.body.volume;
+  result.extras["rounding"] = result.body.rounding;
+  if (bodies.are_within) result.extras["within"] = true;
+  if (bodies.may_overlap) result.extras["pieces_may_overlap"] = true;
+  return result;
+}
+
+/// The places of the pairs that have a common inside, or may.
+std::vector<std::size_t> overlapping_pairs(const CheckReport& report) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < report.pairs.size(); ++i)
+    if (const RelationKind kind = report.pairs[i].relation.kind;
+        kind == RelationKind::overlapping || kind == RelationKind::crossing)
+      places.push_back(i);
+  return places;
+}
+
+std::vector<PairBody> bodies_of(std::span<const SceneInstance> models, const CheckReport& report,
+                                std::span<const std::size_t> places, const AskOptions& options) {
+  std::vector<PairBody> bodies(places.size());
+  WorkspacePool workspaces;
+  TaskReporter reporter(options.progress, places.size());
+  parallel_for(places.size(), options.threads, [&](std::size_t i) {
+    if (reporter.cancelled()) return;
+    if (options.stop && options.stop())
+      bodies[i].missing = "the check was stopped before it was made";
+    else
+      bodies[i] =
+          workspaces.with([&](Workspace& workspace) { return body_of(models, report.pairs[places[i]], workspace); });
+    reporter.finished_one();
+  });
+  return bodies;
+}
+
+std::size_t add_body(GlbScene& glb, const ReportedPair& pair, PairBody& made) {
+  const std::string name = glb.name_of(pair.a) + " × " + glb.name_of(pair.b);
+  Json extras = {{"a", glb.name_of(pair.a)}, {"b", glb.name_of(pair.b)}};
+  if (pair.tolerance != ToleranceVerdict::none) extras["tolerance"] = name_of(pair.tolerance);
+  if (!made.missing.empty()) {
+    extras["left_out"] = made.missing;
+    return glb.add_node(name, {}, {}, {{"extras", std::move(extras)}});
+  }
+  extras.update(made.extras);
+  Json parts = Json::array();
+  for (const GlbPart& piece : made.body.pieces) parts.push_back(glb.part(piece, GlbMode::triangles, body_paint));
+  const std::size_t mesh = glb.add_mesh(name, std::move(parts));
+  return glb.add_node(name, {}, made.body.frame, {{"extras", std::move(extras)}, {"mesh", mesh}});
+}
+
+}  // namespace
+}  // namespace io
+
+OverlapBodiesGlb overlap_bodies_glb(const Scene& scene, std::span<const SceneInstance> models,
+                                    const CheckReport& report, const ViewOptions& view, const AskOptions& options) {
+  const std::vector<std::size_t> places = io::overlapping_pairs(report);
+  std::vector<io::PairBody> bodies = io::bodies_of(models, report, places, options);
+  const io::ViewMeshes meshes(models);
+  io::GlbScene glb(models, meshes);
+  OverlapBodiesGlb result;
+  std::vector<std::size_t> with_body, without;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_there = bodies[i].missing.empty();
+    (is_there ? with_body : without).push_back(io::add_body(glb, report.pairs[places[i]], bodies[i]));
+    if (!is_there) result.left_out.emplace_back(places[i], bodies[i].missing);
+  }
+  glb.add_group("overlap bodies", with_body);
+  glb.add_group("without a body", without);
+  result.bodies = with_body.size();
+  result.glb = glb.file(view, scene.unit);
+  return result;
+}
+
+}  // namespace toccata
