@@ -24,7 +24,7 @@ std::string within_text(const CheckReport& report) {
   return within == 0 ? "" : fmt::format(", {} of them within the tolerance", within);
 }
 
-/// Of a file that tells all findings.
+/// What a file of all findings is written from.
 template <std::string (*bytes)(const Findings&)>
 ExchangeContent findings_content(const Findings& findings) {
   return {bytes(findings), counted(findings.report.pairs.size(), "finding") + within_text(findings.report)};

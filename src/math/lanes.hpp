@@ -42,12 +42,12 @@ using TagOf = hn::DFromV<N>;
 
 // Doubles, as many as a level has lanes for, but for eight at most.
 
-inline constexpr std::size_t most_lanes = 8;
+constexpr std::size_t most_lanes = 8;
 using Tag = hn::CappedTag<double, most_lanes>;
 using Number = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 using Vector = LaneVector<Tag>;
-inline constexpr Tag tag;
+constexpr Tag tag;
 
 // The same of floats.
 

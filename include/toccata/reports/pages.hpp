@@ -233,7 +233,7 @@ class WorldRecording {
 struct OverlapBodiesGlb {
   std::string glb;         ///< what write_glb takes
   std::size_t bodies = 0;  ///< so many pairs have one
-  /// Of each pair that overlaps or crosses and has none its place in the report, and why.
+  /// Each pair that overlaps or crosses and has none: its place in the report, and why.
   std::vector<std::pair<std::size_t, std::string>> left_out;
 };
 

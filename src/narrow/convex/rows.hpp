@@ -19,8 +19,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using RowTag = hn::CappedTag<double, 4>;
-inline constexpr RowTag row_tag;
-inline constexpr std::size_t row_lanes = hn::MaxLanes(row_tag), row_parts = 4 / row_lanes;
+constexpr RowTag row_tag;
+constexpr std::size_t row_lanes = hn::MaxLanes(row_tag), row_parts = 4 / row_lanes;
 
 struct Row {
   hn::Vec<RowTag> part[row_parts];

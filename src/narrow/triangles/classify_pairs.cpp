@@ -4,7 +4,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 #include "math/filter.hpp"
 #include "math/lanes.hpp"
@@ -330,8 +332,8 @@ class Numbers {
 
  private:
   static bool is_still(const std::array<double, 12>& numbers) {
-    const std::array<double, 12> none = Pose{}.numbers();
-    return std::memcmp(numbers.data(), none.data(), sizeof none) == 0;
+    using Bits = std::array<std::uint64_t, 12>;
+    return std::bit_cast<Bits>(numbers) == std::bit_cast<Bits>(Pose{}.numbers());
   }
 
   std::array<double, 12> numbers_;
