@@ -4,8 +4,8 @@ units with a file that changed since main (or since the last commit, on main). A
 stays alone (cmake/ToccataUnite.cmake); to clang-tidy the files of a piece are what headers are. Units that include CGAL
 are left out: they take minutes each.
 
-build/clang has to be configured, and not built: only the precompiled headers are needed, and made here. A unit without
-complaints is not looked at again until it, a header of ours that it includes, its command or the checks change, so that
+build/clang has to be configured, and not built: its pieces are written anew here, since files may have come and gone, and only
+the precompiled headers are needed, and made here. A unit without complaints is not looked at again until it, a header of ours that it includes, its command or the checks change, so that
 this may be stopped and goes on where it was.
 """
 import concurrent.futures
@@ -102,6 +102,7 @@ def tidy(unit, stamp):
 
 
 def main():
+    subprocess.run(["cmake", BUILD], check=True, stdout=subprocess.DEVNULL)
     commands = compile_commands()
     of_unit = units(commands)
     asked = sorted(of_unit) if "--all" in sys.argv else sorted(unit for unit, files in of_unit.items() if files & changed())

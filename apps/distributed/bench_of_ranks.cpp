@@ -29,7 +29,7 @@ struct Arguments {
   NetworkOfMany network;
 };
 
-/// Of all ranks: what the slowest takes, and averages of one.
+/// A line is about all ranks: what the slowest takes, and averages of one.
 struct Line {
   std::string scene;
   double milliseconds = 0, ghosts = 0, imbalance = 0, candidates = 0, came = 0, bytes = 0, most_bytes = 0,
@@ -125,24 +125,30 @@ void add_options(CLI::App& app, Arguments& arguments, const std::vector<std::str
   app.add_option("--frames", arguments.crowd.frames, "the median of their times is told")
       ->check(whole_number(1, 4'000'000'000))
       ->capture_default_str();
-  app.add_option("--scene", arguments.scenes, "one or more; all, if none is named")->check(CLI::IsMember(scenes));
+  app.add_option("--scene", arguments.scenes, "one or more; all, if none is named, and with --scale the first")
+      ->check(CLI::IsMember(scenes));
   app.add_option("--moving", arguments.crowd.moving, "which share of the boxes may move; the others stay")
       ->check(number_between(0, 1))
       ->capture_default_str();
+  CLI::Option* scale =
+      app.add_flag("--scale", arguments.scale, "instead: 1, 2, 4, … of these ranks, beside what a model foretells");
   app.add_option("--questions", arguments.questions, "of each rank, for its nearest boxes; 0: none")
+      ->excludes(scale)
       ->check(whole_number(0, 100'000'000))
       ->capture_default_str();
   app.add_option("--nearest", arguments.nearest, "how many boxes are wanted")
+      ->excludes(scale)
       ->check(whole_number(1, 100'000))
       ->capture_default_str();
   app.add_option("--threads", arguments.crowd.threads, "of each rank; 0: all that the machine has")
       ->check(whole_number(0, 1024))
       ->capture_default_str();
-  app.add_flag("--scale", arguments.scale, "instead: 1, 2, 4, … of these ranks, beside what a model foretells");
   app.add_option("--latency", arguments.network.microseconds, "of --scale, of many machines: µs of a message")
+      ->needs(scale)
       ->check(number_above_0())
       ->capture_default_str();
   app.add_option("--bandwidth", arguments.network.gigabytes, "of --scale, of many machines: GB a second")
+      ->needs(scale)
       ->check(number_above_0())
       ->capture_default_str();
 }
@@ -180,13 +186,11 @@ int main_of(int count, char** words) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (arguments.scale) {
-    if (!arguments.scenes.empty()) arguments.crowd.scene = arguments.scenes.front();
-    print_scale(arguments.crowd, arguments.network);
-    return 0;
-  }
-  if (arguments.scenes.empty()) arguments.scenes = all;
-  run_scenes(arguments, rank, ranks);
+  if (arguments.scenes.empty()) arguments.scenes = arguments.scale ? std::vector{arguments.crowd.scene} : all;
+  if (arguments.scale)
+    for (const std::string& scene : arguments.scenes) print_scale(scene, arguments.crowd, arguments.network);
+  else
+    run_scenes(arguments, rank, ranks);
   return 0;
 }
 

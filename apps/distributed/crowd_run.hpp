@@ -23,7 +23,7 @@ struct CrowdOfRanks {
   std::optional<int> communicator{};  ///< as MPI_Comm_c2f tells it; that of all ranks, if nothing is said
 };
 
-/// Of one rank: sums over the frames but for the bodies, ghosts and pairs, which are those of the last.
+/// What one rank had: sums over the frames but for the bodies, ghosts and pairs, which are those of the last.
 struct RankCosts {
   double milliseconds = 0;  ///< the median of a step
   double bodies = 0, ghosts = 0, pairs = 0, candidates = 0, came = 0, bytes = 0, imbalance = 0, divisions = 0;

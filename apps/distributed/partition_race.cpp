@@ -35,7 +35,7 @@ OwnBoxes own_boxes(std::span<const Aabb> boxes, const Ranks& ranks) {
 
 class Stopwatch {
  public:
-  /// Of all ranks the longest.
+  /// The longest time of all ranks.
   double seconds(Ranks& ranks) const {
     const std::chrono::duration<double> own = std::chrono::steady_clock::now() - begin_;
     double longest = -own.count();

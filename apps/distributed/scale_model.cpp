@@ -36,7 +36,7 @@ double predicted_seconds(const MachineCosts& machine, const RankLoad& load, doub
 double inner_faces(double ranks) {
   std::array<double, 3> parts{1, 1, 1};  // along each axis
   for (double halves = 1; halves < ranks; halves *= 2) *std::min_element(parts.begin(), parts.end()) *= 2;
-  // Of n parts along an axis there are n - 1 borders, which both sides have; a part is a 1/n of the cube's side thick.
+  // Between n parts along an axis are n - 1 borders, which both sides have; a part is a 1/n of the cube's side thick.
   double faces = 0;
   for (const double along : parts) faces += 2 * (along - 1);
   return faces / std::cbrt(parts[0] * parts[1] * parts[2]);

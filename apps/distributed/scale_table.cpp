@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -84,7 +85,8 @@ void print_foretold(const RankLoad& of_two, const MachineCosts& machine) {
 
 }  // namespace
 
-void print_scale(CrowdOfRanks crowd, const NetworkOfMany& network) {
+void print_scale(const std::string& scene, CrowdOfRanks crowd, const NetworkOfMany& network) {
+  crowd.scene = scene;
   MachineCosts machine = measured_network();
   std::vector<MeasuredScale> all;
   for (int ranks = 1; ranks <= size_of_world(); ranks *= 2) all.push_back(measure_on(ranks, crowd));

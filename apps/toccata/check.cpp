@@ -81,7 +81,7 @@ void require_company(const CLI::App& app) {
         throw Error(fmt::format("{0} excludes {1}: {2}; give one of the two", refusal.option, other, refusal.why));
 }
 
-/// Of the pairs that are reported. What may overlap, for all that could be decided, counts as if it did.
+/// Whether a reported pair makes the check fail. What may overlap, for all that could be decided, counts as if it did.
 bool is_failure(const ReportedPair& pair, FailOn fail_on) {
   if (!is_clash(pair)) return false;
   switch (fail_on) {
@@ -95,7 +95,7 @@ bool is_failure(const ReportedPair& pair, FailOn fail_on) {
   return true;
 }
 
-/// Of a check that was stopped, whatever it found.
+/// The exit code of a check that was stopped, whatever it found.
 constexpr int unfinished_code = 3;
 
 int code_of(const CheckReport& report, FailOn fail_on) {

@@ -190,7 +190,7 @@ class RuleReader {
           fmt::format("{}: an object is called '{}' too; in rules that name is the set from here on", place, name));
   }
 
-  /// Of a set that was defined before, else the word itself.
+  /// The patterns of a set that was defined before, else the word itself.
   [[nodiscard]] std::vector<std::string> patterns_of(const std::string& word) const {
     const auto set = sets_.find(word);
     return set == sets_.end() ? std::vector<std::string>{word} : set->second.patterns;

@@ -22,7 +22,7 @@ struct PlotArguments {
 };
 
 std::string report_in(const std::string& file) {
-  const std::string text = text_of_file(file);
+  std::string text = text_of_file(file);
   if (text.empty()) throw Error(file + ": the file cannot be read, or is empty; name a report in JSON");
   return text;
 }

@@ -170,7 +170,7 @@ constexpr std::size_t most_face_pairs = 100'000;
 /// What is shown, in words: of one object alone nothing was asked that it could have with others.
 std::string told_of(const Drawn& drawn, const SceneAnswer& answer) {
   const std::size_t objects = drawn.input.models.size();
-  const std::string found = std::visit([](const auto& report) { return summary_of(report).findings; }, answer);
+  std::string found = std::visit([](const auto& report) { return summary_of(report).findings; }, answer);
   if (objects == 0) return found;
   const std::string shown = counted(objects, "object");
   return objects == 1 && std::holds_alternative<CheckReport>(answer) ? shown : shown + " and " + found;

@@ -35,7 +35,7 @@ constexpr Field<Answer, path...> field(const char* name, const char* doc) {
   return {name, doc};
 }
 
-/// Of what begins with the members of another, or holds it, the fields of that: `way` leads to it.
+/// The fields of an answer that another holds, or begins with: `way` leads to it.
 template <class Whole, auto... way, class Answer, auto... path>
 constexpr Field<Whole, way..., path...> field_within(const Field<Answer, path...>& inner) {
   return {inner.name, inner.doc};

@@ -61,7 +61,7 @@ std::vector<Vec3> vectors_in(const Doubles& numbers) {
   return vectors;
 }
 
-/// Of matrices of 4×4 or 3×4 numbers the one at a place.
+/// The matrix at a place among matrices of 4×4 or 3×4 numbers.
 Pose pose_in(const Doubles& numbers, std::size_t place, std::string_view what) {
   const std::size_t rows = *(numbers.shape.end() - 2);
   const double* matrix = numbers.data + place * rows * 4;

@@ -97,7 +97,7 @@ using Doubles = NumbersOf<double>;
 /// One vector. Throws Error when there are not three numbers.
 [[nodiscard]] Vec3 vector_of(nb::handle given, std::string_view what);
 
-/// Of an array (N, 3).
+/// Takes an array (N, 3).
 [[nodiscard]] std::vector<Vec3> vectors_of(nb::handle given, std::string_view what);
 
 /// Whole numbers from 0 to 2³² − 2 of an array of any type of whole numbers, of `columns` in each row.
@@ -117,7 +117,7 @@ struct Poses {
 
 [[nodiscard]] Triangle triangle_of(nb::handle given, std::string_view what);
 
-/// Of an array (N, 2, 3): the least corner and the greatest.
+/// Takes an array (N, 2, 3): the least corner and the greatest.
 [[nodiscard]] std::vector<Aabb> boxes_of(nb::handle given, std::string_view what);
 
 /// Truths, `count` of them, in an array of any type of numbers or of bools.

@@ -77,7 +77,7 @@ Raises Error like overlap, and where one is a surface, and for two half-spaces.)
                     });
 }
 
-/// Of each, what a Manifold holds, one after the other.
+/// What the manifolds hold, one after the other.
 nb::tuple rows_told(const std::vector<Manifold>& manifolds) {
   std::vector<std::int32_t> counts;
   std::vector<Vec3> normals;

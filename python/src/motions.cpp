@@ -271,7 +271,7 @@ conservative advancement", 2009). Raises Error like cast_shape.)");
       "Error for a negative excess, and for what has no end.");
 }
 
-/// Of an array (N, 4, 3) twice: where four points start and end.
+/// Takes two arrays (N, 4, 3): where four points start and end.
 template <class Pair, class Make>
 std::vector<Pair> feature_pairs(const ArrayLike& starts, const ArrayLike& ends, const Make& make) {
   const Doubles from = doubles(starts, "starts"), to = doubles(ends, "ends");

@@ -30,7 +30,7 @@ class PairsAsked {
   [[nodiscard]] Batch<PairQuery> batch() const;
   /// Each question takes less time than to look for signals.
   [[nodiscard]] bool is_quick() const;
-  /// Of question i.
+  /// The models and the query of question i.
   [[nodiscard]] const Model& a(std::size_t i) const { return a_[i]; }
   [[nodiscard]] const Model& b(std::size_t i) const { return b_[i]; }
   [[nodiscard]] const PairQuery& query(std::size_t i) const { return pairs_.empty() ? queries_[i] : pairs_[i].query; }

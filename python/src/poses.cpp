@@ -24,7 +24,7 @@ Pose finite(const Pose& pose) {
   return pose;
 }
 
-/// Of one point or of an array (N, 3).
+/// Takes one point or an array (N, 3).
 Floats transformed(const Pose& pose, const ArrayLike& points) {
   const Doubles numbers = doubles(points, "points");
   if (numbers.has_shape(1, {3})) return array_of(transform(pose, vector_of(points, "points")));

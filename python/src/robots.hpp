@@ -34,7 +34,7 @@ struct Configurations {
 /// A str of Python. Throws Error, beginning with `what`, where it has lone surrogates, which are no text.
 [[nodiscard]] std::string text_given(nb::handle given, std::string_view what);
 
-/// Of a list of pairs of names, each with a reason or without.
+/// Takes a list of pairs of names, each with a reason or without.
 [[nodiscard]] std::vector<AllowedPair> allowed_pairs_of(nb::handle given, std::string_view what);
 
 /// RobotScene and its answers; of what bind_robots binds, what is asked.

@@ -11,7 +11,7 @@
 
 namespace toccata::python {
 
-/// Of a list of SceneInstances, shapes, and pairs (shape, pose). Throws Error naming the entry that is none.
+/// Takes a list of SceneInstances, shapes, and pairs (shape, pose). Throws Error naming the entry that is none.
 [[nodiscard]] std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what);
 
 /// Shapes at poses: so many as there are of one of them; one stands for all.

@@ -236,9 +236,14 @@ Mesh mesh_of_file(const std::string& path) {
   return {{without_lock([&] { return load_model(path); })}};
 }
 
+/// A parameter is named as Python names are: tube_radius is the generator's tube-radius.
 Mesh generated(const std::string& name, const nb::kwargs& parameters) {
   GeneratorParameters given;
-  for (const auto& [key, value] : parameters) given[nb::cast<std::string>(key)] = nb::cast<double>(value);
+  for (const auto& [key, value] : parameters) {
+    auto parameter = nb::cast<std::string>(key);
+    std::replace(parameter.begin(), parameter.end(), '_', '-');
+    given[parameter] = nb::cast<double>(value);
+  }
   return {{without_lock([&] { return Model(generate_mesh(name, given)); })}};
 }
 
@@ -320,10 +325,12 @@ finite, an index out of range, or there is no triangle.)")
       "load_mesh", &mesh_of_file, nb::arg("path"),
       "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, in the unit of the file, "
       "nothing repaired. Raises Error naming file and line.");
-  module.def("generate_mesh", &generated, nb::arg("name"), nb::arg("parameters"),
-             "A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters "
-             "(docs/guide/generated-meshes.md): the same bits everywhere. Raises Error for an unknown name.",
-             nb::sig("def generate_mesh(name: str, **parameters: float) -> Mesh"));
+  module.def(
+      "generate_mesh", &generated, nb::arg("name"), nb::arg("parameters"),
+      "A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters "
+      "(docs/guide/generated-meshes.md), tube_radius for tube-radius: the same bits everywhere. Raises Error for an "
+      "unknown name.",
+      nb::sig("def generate_mesh(name: str, **parameters: float) -> Mesh"));
 }
 
 // Shapes made of others.

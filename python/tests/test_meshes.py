@@ -8,6 +8,13 @@ import pytest
 import toccata
 
 
+def test_parameters_of_a_generator_are_named_as_in_python():
+    thin, plain = (toccata.generate_mesh("torus", radius=1, **more) for more in ({"tube_radius": 0.1}, {}))
+    assert thin == toccata.generate_mesh("torus", **{"radius": 1, "tube-radius": 0.1}) and thin != plain
+    with pytest.raises(toccata.Error, match="tube-width"):
+        toccata.generate_mesh("torus", tube_width=1)
+
+
 def test_holes_are_found_and_closed():
     ball = toccata.generate_mesh("icosphere", radius=1, subdivisions=2)
     opened = toccata.Mesh(ball.vertices, ball.faces[1:])

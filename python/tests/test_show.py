@@ -1,5 +1,9 @@
 """Pages: to a file, and inline."""
 
+import base64
+import re
+import zlib
+
 import pytest
 
 import toccata
@@ -10,7 +14,11 @@ def test_a_page_holds_the_objects_and_what_was_found(tmp_path, knot):
     path = tmp_path / "scene.html"
     page = toccata.show([knot, crate, (toccata.Sphere(0.2), (9, 0, 0))], path, title="A knot & a crate")
     text = path.read_text()
-    assert text == page.html and "the crate" in text and "A knot" in text and text.startswith("<!")
+    assert text == page.html and text.startswith("<!")
+    report, header = (
+        zlib.decompress(base64.b64decode(re.search(rf'id="toccata-{name}"[^>]*>(.*?)<', text)[1])).decode() for name in ("report", "header")
+    )
+    assert "the crate" in report and "A knot" in header
     inline = page._repr_html_()
     assert inline.startswith("<iframe srcdoc=") and "<script" not in inline
     assert len(repr(page)) < 60

@@ -69,7 +69,7 @@ void DistributedWorld::State::go(std::span<const WantedPlace> places) {
   std::vector<BodyId> ids;
   std::vector<Pose> poses;
   std::vector<RigidMotion> motions;
-  // Of one body the last place counts, so what follows each other goes together.
+  // The last place of a body counts, so what follows each other goes together.
   for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
     const bool along = places[begin].motion.has_value();
     for (; end < places.size() && places[end].motion.has_value() == along; ++end) {

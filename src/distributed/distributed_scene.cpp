@@ -157,7 +157,7 @@ class DistributedScene::State {
     return needed;
   }
 
-  /// Of the pairs that are decided here; their numbers are those of all models.
+  /// Answers the pairs that are decided here; their numbers are those of all models.
   [[nodiscard]] WantedAnswer decide(const CheckOptions& options, const Clearances& asked) {
     CheckOptions own = options;
     std::erase_if(own.pair_clearances,

@@ -207,7 +207,7 @@ class DistributedWorld::State {
 
   // Bodies go where they belong (body_exchange.cpp).
   void apply(const WantedChanges& changes, Letters& letters);
-  /// Of a body that lives here.
+  /// Notes what changed of a body that lives here.
   void note(BodyId local, Change change);
   /// Divides space anew where that is worth it.
   void divide(const WantedChanges& changes);
@@ -257,7 +257,7 @@ class DistributedWorld::State {
   [[nodiscard]] std::vector<Aabb> boxes_of_ranks();
   [[nodiscard]] std::vector<GlobalAnswer<Distance>> nearest_here(const SceneInstance& shape, std::size_t count,
                                                                  double max_distance) const;
-  /// Of the bodies that live here the first by (upper, id), by `ask(filter, how far)`.
+  /// The first answer by (upper, id) among the bodies that live here, by `ask(filter, how far)`.
   template <class Found, class Ask>
   [[nodiscard]] std::optional<GlobalAnswer<Found>> first_here(const Ask& ask) const;
 

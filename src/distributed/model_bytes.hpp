@@ -28,7 +28,7 @@ class ModelStore {
   [[nodiscard]] Model get(MessageReader& reader);
 
  private:
-  /// Of the rank on which it was given first, and how many it had by then.
+  /// A model is named by the rank on which it was given first, and by how many that rank had by then.
   struct Name {
     std::int32_t rank = -1;
     std::uint32_t number = 0;

@@ -23,8 +23,8 @@ bool is_of_lesser_ids(const LocalPair& a, const LocalPair& b) { return ids_of(a.
 
 }  // namespace
 
-/// Of the part of space that has the lower corner of what the two boxes, as far as the bodies reach, have in common.
-/// That point is in both boxes, so the rank has both bodies; and it is in one part alone.
+/// A pair is told by the rank whose part of space has the lower corner of what the boxes of the two, as far as the
+/// bodies reach, have in common. That point is in both boxes, so the rank has both bodies; and it is in one part alone.
 int DistributedWorld::State::teller_of(BodyId a, BodyId b) const {
   const Aabb first = reached_box(a), second = reached_box(b);
   return space_.part_of({std::max(first.lower.x, second.lower.x), std::max(first.lower.y, second.lower.y),

@@ -108,7 +108,7 @@ void DistributedWorld::State::check_deformed(WantedChanges& changes) const {
   }
 }
 
-/// Of bodies as they are once they are deformed.
+/// Bodies that are deformed too are checked as they are afterwards.
 void DistributedWorld::State::check_places(const WantedChanges& changes) const {
   std::unordered_map<GlobalId, const Body*> deformed;
   for (const GlobalBody& one : changes.bodies_deformed) deformed.emplace(one.id, &one.body);

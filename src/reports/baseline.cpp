@@ -126,7 +126,7 @@ bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
   return found != answer.pairs.end() && IndexPair{found->a, found->b} == place;
 }
 
-/// Of a pair that is not in the report.
+/// Why a pair is not in the report.
 GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked) {
   if (!place) return GoneReason::no_object;
   if (io::in_one_group(checked.models[place->first], checked.models[place->second])) return GoneReason::left_out;

@@ -46,7 +46,7 @@ bool take_one(std::string_view& pattern, std::string_view& name) {
 }  // namespace
 
 bool matches_pattern(std::string_view pattern, std::string_view name) {
-  // Of several `*` only the last has to be tried again: what is before it is matched as early as can be.
+  // Where there are several `*`, only the last has to be tried again: what is before it is matched as early as can be.
   std::optional<std::string_view> after_star;
   std::string_view tried;
   while (!name.empty() || !pattern.empty()) {
@@ -112,7 +112,7 @@ bool have_common(const std::vector<std::size_t>& a, const std::vector<std::size_
   return false;
 }
 
-/// Of each object the rules that it is in, so that a pair is decided by those of two objects.
+/// Knows the rules that each object is in, so that a pair is decided by those of two objects.
 class RuleMembers {
  public:
   RuleMembers(std::span<const NameRule> rules, const Names& names)
@@ -181,7 +181,7 @@ PairLengths lengths_of(std::span<const LengthRule> rules, const Names& names) {
   };
 }
 
-/// Of each object that of the rules that it is in.
+/// Each object has the greatest length of the rules that it is in.
 std::vector<double> greatest_lengths(std::span<const LengthRule> rules, const Names& names) {
   std::vector<double> greatest(rules.empty() ? 0 : names.count());
   for (const LengthRule& rule : rules)
@@ -204,7 +204,7 @@ CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance>
 bool leave_a_pair(const NameRules& rules, std::span<const SceneInstance> models) {
   const io::Names names(models);
   const io::RuleMembers between(rules.between, names), ignored(rules.ignored, names);
-  // Of all objects that no rule and no group tells apart two are enough.
+  // Two objects are enough where no rule and no group tells more apart.
   using Kind = std::tuple<std::string_view, io::RuleMembers::Membership, io::RuleMembers::Membership>;
   std::map<Kind, int> seen;
   std::vector<Index> some;

@@ -160,7 +160,7 @@ class RobotXml {
   }
 
  private:
-  /// Of what is to be expanded by xacro, a tool of ROS; null where there is none.
+  /// The first element that xacro, a tool of ROS, has to expand; null where there is none.
   [[nodiscard]] static const TiXmlElement* first_macro(const TiXmlElement& parent) {
     for (const TiXmlElement* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
       if (e->ValueStr().starts_with("xacro:")) return e;

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -92,8 +93,7 @@ SweepResult run_volume(std::uint64_t seed, std::uint64_t cases) {
     const std::string fault = fault_of<V>(input, i % oracle_step == 0);
     ++result.cases;
     if (fault.empty()) continue;
-    if (result.wrong++ == 0)
-      result.first_failure = "case " + std::to_string(i) + ", " + regime + ": " + fault + to_text(input);
+    if (result.wrong++ == 0) result.first_failure = fmt::format("case {}, {}: {}{}", i, regime, fault, to_text(input));
   }
   return result;
 }

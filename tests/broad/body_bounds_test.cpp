@@ -165,7 +165,7 @@ TEST(BodyBounds, GrowByAMargin) {
 
 TEST(BodyBounds, CostNothingWhereThereAreNone) {
   std::vector<Aabb> boxes;
-  for (double x = 0; x < 2000; x += 2) boxes.push_back({{x, 0, 0}, {x + 1, 1, 1}});
+  for (int i = 0; i < 1000; ++i) boxes.push_back({{2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}});
   BroadPhase plain({BroadPhaseMethod::brute_force}), mixed({BroadPhaseMethod::brute_force});
   plain.add(boxes);
   mixed.add(boxes);

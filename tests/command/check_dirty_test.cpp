@@ -28,7 +28,7 @@ class CheckDirty : public testing::Test {
                  "v 0.4 0.4 0.4\nv 0.6 0.4 0.4\nv 0.4 0.6 0.4\nv 0.4 0.4 0.6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
   }
 
-  test::CommandResult run(Words words) { return run_command(words, folder.path()); }
+  test::CommandResult run(const Words& words) { return run_command(words, folder.path()); }
 
   Json report(Words words) {
     words.emplace_back("--json");

@@ -1,8 +1,8 @@
 // Long work: JSON lines as pairs are found, a limit of time, and Ctrl-C give what is done and say what is not.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <algorithm>
 #include <chrono>
@@ -74,7 +74,7 @@ TEST_F(CheckLong, ATerminalShowsTheRateAndTheTimeLeft) {
 TEST_F(CheckLong, ElsewhereALineIsToldNowAndThen) {
   const auto told = [&](const char* seconds) {
     setenv("TOCCATA_PROGRESS_SECONDS", seconds, 1);
-    const auto result = run({"check", "heap.json", "--penetration", "--stop-after", "4"});
+    auto result = run({"check", "heap.json", "--penetration", "--stop-after", "4"});
     unsetenv("TOCCATA_PROGRESS_SECONDS");
     return result;
   };

@@ -28,7 +28,7 @@ using Words = std::vector<std::string>;
 /// What a pair is told to be, without what depends on which of the two is a: a number is the same in either order.
 Json told_of(const Json& pair) {
   const bool is_ascending = pair["a"] < pair["b"];
-  const auto flipped = [](std::string containment) {
+  const auto flipped = [](const std::string& containment) -> std::string {
     return containment == "a_in_b" ? "b_in_a" : containment == "b_in_a" ? "a_in_b" : containment;
   };
   const std::string containment = pair["containment"];

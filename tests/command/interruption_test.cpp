@@ -1,8 +1,8 @@
 // Ctrl-C at any moment of `demo --write` leaves the whole folder or none of it.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <chrono>
 #include <thread>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 
 namespace toccata {
 namespace {
@@ -108,7 +109,7 @@ TEST(MadeShapesCommand, WhatWasMadeIsDrawn) {
     folder.write("report.json", asked.out);
     const std::string glb = text_of(folder.path() / "page.glb");
     for (const std::string& name : drawn) {
-      EXPECT_NE(text_of(folder.path() / "page.html").find("\"name\": \"" + name + "\""), std::string::npos);
+      EXPECT_NE(test::page_text(folder.path() / "page.html").find("\"name\": \"" + name + "\""), std::string::npos);
       EXPECT_NE(glb.find("\"name\":\"" + name + "\""), std::string::npos) << name;
     }
     EXPECT_EQ(glb.find("parts in colour 1") != std::string::npos, words[0] == "decompose");

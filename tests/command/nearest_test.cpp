@@ -22,7 +22,7 @@ Json nearest_of(std::vector<std::string> words) {
   return Json::parse(result.out)["points"][0]["nearest"];
 }
 
-void expect_refused(std::vector<std::string> words, const std::string& message) {
+void expect_refused(const std::vector<std::string>& words, const std::string& message) {
   const auto result = run_command(words);
   EXPECT_EQ(result.exit_code, 2) << result.out;
   EXPECT_EQ(result.out, "");

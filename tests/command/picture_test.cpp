@@ -1,8 +1,8 @@
 // `view --png` without a browser: a script stands in for Chromium and tells how it was called.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <chrono>
 #include <cstdlib>

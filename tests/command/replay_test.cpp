@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 
 namespace toccata {
 namespace {
@@ -150,13 +151,13 @@ TEST(ReplayCommand, ViewShowsDistancesAndDepthsThatACaseAsksFor) {
   ASSERT_EQ(run_command(with(far, {"--save-case", "far.json"}), folder.path()).exit_code, 0);
   const auto apart = run_command({"view", "far.json", "-o", "far.html"}, folder.path());
   EXPECT_NE(apart.out.find("2 objects and 1 pair"), std::string::npos) << apart.out << apart.err;
-  EXPECT_NE(text_of(folder.path() / "far.html").find("\"role\":\"distance\""), std::string::npos);
+  EXPECT_NE(test::page_text(folder.path() / "far.html").find("\"role\":\"distance\""), std::string::npos);
   ASSERT_EQ(
       run_command({"check", "gen:box", "gen:icosphere", "--penetration", "--save-case", "deep.json"}, folder.path())
           .exit_code,
       1);
   ASSERT_EQ(run_command({"view", "deep.json", "-o", "deep.html"}, folder.path()).exit_code, 0);
-  EXPECT_NE(text_of(folder.path() / "deep.html").find("\"role\":\"depth\""), std::string::npos);
+  EXPECT_NE(test::page_text(folder.path() / "deep.html").find("\"role\":\"depth\""), std::string::npos);
 }
 
 /// Whether it is drawn or not, a case is what was asked.
@@ -171,7 +172,7 @@ TEST(ReplayCommand, ACaseIsTheSameBesideAPage) {
     EXPECT_EQ(run_command(with(question, {"--save-case", "c1.json"}), folder.path()).exit_code, 1);
     EXPECT_EQ(run_command(with(question, {"--save-case", "c2.json", "--html", "x.html"}), folder.path()).exit_code, 1);
     EXPECT_EQ(text_of(folder.path() / "c1.json"), text_of(folder.path() / "c2.json"));
-    EXPECT_NE(text_of(folder.path() / "x.html").find("\"face_pairs\":"), std::string::npos);
+    EXPECT_NE(test::page_text(folder.path() / "x.html").find("\"face_pairs\":"), std::string::npos);
     EXPECT_EQ(run_command({"view", "c1.json", "-o", "x.html", "--save-case", "c2.json"}, folder.path()).exit_code, 0);
     EXPECT_EQ(text_of(folder.path() / "c1.json"), text_of(folder.path() / "c2.json"));
   }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 #include "toccata/robots/robot_files.hpp"
 
 namespace toccata {
@@ -85,7 +86,7 @@ TEST_F(RobotCommand, APageIsWritten) {
   const auto run = robot(
       {"gen:arm", "--configurations", "q.csv", "--edges", "--html", "arm.html", "--scene", "gen:torus?radius=0.5"});
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  EXPECT_TRUE(is_told(test::text_of(folder_ / "arm.html"), "generated arm"));
+  EXPECT_TRUE(is_told(test::page_text(folder_ / "arm.html"), "generated arm"));
 }
 
 TEST_F(RobotCommand, TroubleIsNamed) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 
 namespace toccata {
 namespace {
@@ -59,7 +60,7 @@ TEST(SavedReportCommand, EveryReportIsDrawnFromAnotherFolder) {
     const auto result = drawn(report_of(folder, elsewhere, words));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find(told), std::string::npos) << result.out;
-    EXPECT_NE(text_of(elsewhere.path() / "page.html").find("toccata/view/3"), std::string::npos);
+    EXPECT_NE(test::page_text(elsewhere.path() / "page.html").find("toccata/view/4"), std::string::npos);
   }
 }
 

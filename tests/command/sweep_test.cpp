@@ -8,6 +8,7 @@
 
 #include "support/base64.hpp"
 #include "support/command.hpp"
+#include "support/page.hpp"
 
 namespace toccata {
 namespace {
@@ -134,8 +135,8 @@ TEST_F(SweepCommand, APageAndAnAnimationAreWritten) {
       {"sweep", "key.json", "others.json", "--to", "axis=0,0,1 degrees=-90", "--html", "s.html", "--glb", "s.glb"},
       folder.path());
   EXPECT_EQ(run.exit_code, 1) << run.err;
-  EXPECT_NE(test::text_of(folder.path() / "s.html").find("first contact"), std::string::npos);
-  EXPECT_NE(test::text_of(folder.path() / "s.html").find("Swept volume"), std::string::npos);
+  EXPECT_NE(test::page_text(folder.path() / "s.html").find("first contact"), std::string::npos);
+  EXPECT_NE(test::page_text(folder.path() / "s.html").find("Swept volume"), std::string::npos);
   EXPECT_EQ(test::text_of(folder.path() / "s.glb").substr(0, 4), "glTF");
 }
 
@@ -155,8 +156,8 @@ TEST_F(SweepCommand, WhatIsOfOneGroupIsNotAPairOnThePageEither) {
   const auto run = run_command({"sweep", "group.json", "--to", "8 0 0", "--html", "g.html"}, folder.path());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("0 of 1 pair meet"), std::string::npos) << run.out;
-  EXPECT_NE(test::text_of(folder.path() / "g.html").find("1 pair,"), std::string::npos);
-  EXPECT_EQ(test::text_of(folder.path() / "g.html").find("2 pairs,"), std::string::npos);
+  EXPECT_NE(test::page_text(folder.path() / "g.html").find("1 pair,"), std::string::npos);
+  EXPECT_EQ(test::page_text(folder.path() / "g.html").find("2 pairs,"), std::string::npos);
 }
 
 TEST_F(SweepCommand, ErrorsSayWhatToDo) {

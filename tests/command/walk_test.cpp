@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 
 namespace toccata {
 namespace {
@@ -147,8 +148,8 @@ TEST_F(WalkCommand, ARecordedWalkIsDrawn) {
   const auto drawn = run_command({"view", "walk.json", "-o", "later.html"}, folder.path());
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   EXPECT_NE(drawn.out.find("a walk of "), std::string::npos) << drawn.out;
-  const std::string now = test::text_of(folder.path() / "now.html"),
-                    later = test::text_of(folder.path() / "later.html");
+  const std::string now = test::page_text(folder.path() / "now.html"),
+                    later = test::page_text(folder.path() / "later.html");
   for (const std::string& page : {now, later})
     for (const char* told : {"\"Path\"", "\"Normals\"", "\"Contact points\"", "on step, meets wall", ", up a step"})
       EXPECT_NE(page.find(told), std::string::npos) << told;

@@ -66,6 +66,10 @@ def check_scale(mpiexec, bench):
     check([row[1] for row in measured] == [4000, 2000, 1000], "bodies a rank", output)
     check(0 < foretold[0][3] < foretold[1][3] < measured[2][2] < 20, "ghosts grow with the surface of a part", output)
     check(all(0 < row[6] < 100 for row in foretold), "a step is more than one World's", output)
+    both = run(mpiexec, 1, bench, "--scale", "--count", "1000", "--frames", "1", "--scene", "fast", "sizes")
+    check(re.findall(r"^(\w+), 1000 boxes", both, re.MULTILINE) == ["fast", "sizes"], "each scene that is named", both)
+    check("--questions" in run(mpiexec, 1, bench, "--scale", "--questions", "5", code=2), "questions are not asked with --scale")
+    check("--scale" in run(mpiexec, 1, bench, "--latency", "5", code=2), "a network is assumed with --scale alone")
 
 
 def main():

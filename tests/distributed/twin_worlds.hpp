@@ -149,7 +149,7 @@ class TwinWorlds {
 
   [[nodiscard]] GlobalId id_of(BodyId local) const { return ids_.at(local); }
 
-  /// Of this rank.
+  /// What this rank tells.
   static std::vector<ToldPair> own_told(std::span<const GlobalPairReport> reports) {
     std::vector<ToldPair> own;
     for (const GlobalPairReport& pair : reports) own.push_back({pair.a, pair.b, pair.in_contact});
@@ -157,7 +157,7 @@ class TwinWorlds {
     return own;
   }
 
-  /// Of all ranks, ascending.
+  /// What all ranks tell, ascending.
   static std::vector<ToldPair> all_told(std::span<const GlobalPairReport> reports) {
     std::vector<ToldPair> all = gathered(own_told(reports));
     std::sort(all.begin(), all.end());

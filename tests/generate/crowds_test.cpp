@@ -37,7 +37,7 @@ TEST(Crowds, OfWhichMostStandStill) {
 
 TEST(Crowds, OfAnUnknownNameAreRefused) {
   try {
-    Crowd("unifrom", 5);
+    const Crowd crowd("unifrom", 5);
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "there is no crowd 'unifrom'; did you mean 'uniform'?");

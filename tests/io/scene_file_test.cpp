@@ -355,7 +355,7 @@ TEST_F(SceneFile, WrongShapesAreSaidWhere) {
   expect(R"({"type": "height-field", "columns": 2, "rows": 2, "spacing": [1, 1], "heights": [0]})", "/objects/0/shape");
   expect(R"({"type": "compound", "parts": []})", "/objects/0/shape");
   std::string deep = R"({"type": "point"})";
-  for (int i = 0; i < 40; ++i) deep = R"({"type": "compound", "parts": [{"shape": )" + deep + "}]}";
+  for (int i = 0; i < 40; ++i) deep.insert(0, R"({"type": "compound", "parts": [{"shape": )").append("}]}");
   expect(deep, "more than 32 deep");
   expect_error(R"("objects": [{"name": "a", "file": "parts/plate.obj", "shape": {"type": "point"}}])", "one shape");
 }

@@ -24,7 +24,7 @@ inline double random_finite(Random& random) {
 }
 
 inline double integer_between(Random& random, int low, int high) {
-  return low + static_cast<double>(random.below(static_cast<std::uint64_t>(high - low + 1)));
+  return low + static_cast<double>(random.below(static_cast<std::uint64_t>(high - low) + 1));
 }
 
 inline double power_of_two_between(Random& random, int low, int high) {

@@ -113,7 +113,7 @@ inline std::string vertex_fault(const MinkowskiSum& sum, const SumTruth& truth) 
 }
 
 inline std::string sum_fault(const MinkowskiSum& sum, const SumTruth& truth) {
-  const std::string wrong = vertex_fault(sum, truth);
+  std::string wrong = vertex_fault(sum, truth);
   if (!wrong.empty()) return wrong;
   if (sum.dimension() >= 2) return boundary_fault(sum, truth);
   if (static_cast<int>(sum.vertex_count()) != sum.dimension() + 1) return "more than the ends";

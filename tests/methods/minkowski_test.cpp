@@ -160,7 +160,7 @@ TEST(MinkowskiSum, TellsTheSideOfAPointAsTheOracleDoes) {
       for (const Vec3& p : questions_to(sum, random)) {
         ASSERT_EQ(test::side_fault(sum, {truth.all(), truth.radius}, p), "")
             << kind << " " << number << ": " << test::to_text(pair);
-        ++seen[static_cast<std::size_t>(static_cast<int>(sum.side_of(p)) + 1)];
+        ++seen[static_cast<std::size_t>(sum.side_of(p)) + 1];
       }
     }
   for (const int count : seen) EXPECT_GT(count, 400);
@@ -178,7 +178,7 @@ TEST(SumLocator, AnswersAsTheSumDoes) {
       for (int round = 0; round < 4; ++round)
         for (const Vec3& p : questions_to(sum, random)) {
           ASSERT_EQ(locator.side_of(p), sum.side_of(p)) << kind << " " << number << ": " << test::to_text(pair);
-          ++seen[static_cast<std::size_t>(static_cast<int>(sum.side_of(p)) + 1)];
+          ++seen[static_cast<std::size_t>(sum.side_of(p)) + 1];
         }
     }
   for (const int count : seen) EXPECT_GT(count, 400);

@@ -47,7 +47,7 @@ std::optional<ConvexFeature> feature_by_brute_force(const VoronoiRegions& region
 }
 
 Vec3 grid_point(Random& random, int reach) {
-  const auto count = static_cast<std::uint64_t>(2 * reach + 1);
+  const std::uint64_t count = 2 * static_cast<std::uint64_t>(reach) + 1;
   const auto along = [&] { return static_cast<double>(static_cast<int>(random.below(count)) - reach); };
   const double x = along(), y = along(), z = along();
   return {x, y, z};

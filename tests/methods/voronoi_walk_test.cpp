@@ -73,9 +73,9 @@ TEST(VoronoiWalk, PenetrationIsDetectedAndLeft) {
     EXPECT_EQ(distance.upper == 0, overlap(posed_a, posed_b));
     return distance.upper;
   };
-  for (double x = 3; x > 0; x -= 0.1) ask(x);
+  for (int tenths = 30; tenths > 0; --tenths) ask(0.1 * tenths);
   EXPECT_EQ(tracked.state, TrackedPair::State::meeting);
-  for (double x = 0; x < 3; x += 0.1) ask(x);
+  for (int tenths = 0; tenths < 30; ++tenths) ask(0.1 * tenths);
   EXPECT_EQ(tracked.state, TrackedPair::State::apart);
 }
 

@@ -130,7 +130,7 @@ std::string check_convex_decades(const ConvexCase& pair, const Vec3& motion) {
   const oracle::Separation separation(set_a, set_b);
   if (separation.compare(oracle::exact(d.lower)) < 0) return "lower is too large";
   if (separation.compare(oracle::exact(d.upper)) > 0) return "upper is too small";
-  if (const std::string wrong = check_penetration(a, b, set_a, set_b); !wrong.empty()) return wrong;
+  if (std::string wrong = check_penetration(a, b, set_a, set_b); !wrong.empty()) return wrong;
   const std::string wrong = cast_fault(cast_shape(a, motion, b), set_a, motion, set_b);
   return wrong.empty() ? "" : "cast: " + wrong;
 }

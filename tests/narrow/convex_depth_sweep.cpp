@@ -55,7 +55,7 @@ std::string check_convex_depth(const SeenCase& seen) {
   const Penetration p = penetration(seen.a, seen.b);
   if (p.status != Status::exact) return "status";
   for (const auto& part : {check_bracket, check_move, check_points}) {
-    const std::string wrong = part(p, seen);
+    std::string wrong = part(p, seen);
     if (!wrong.empty()) return wrong;
   }
   const Penetration exchanged = penetration(seen.b, seen.a);

@@ -1,4 +1,6 @@
 #include "narrow/convex_sweeps.hpp"
+
+#include <fmt/format.h>
 #include "oracle/penetration.hpp"
 #include "toccata/core/error.hpp"
 
@@ -75,7 +77,7 @@ SweepResult run_convex_half_space(const std::string& kind, std::uint64_t seed, s
       if (wrong.empty()) wrong = check(seen);
     if (wrong.empty()) continue;
     if (result.wrong++ == 0)
-      result.first_failure = wrong + ", case " + std::to_string(result.cases) + " (" + regime + "): " + to_text(pair);
+      result.first_failure = fmt::format("{}, case {} ({}): {}", wrong, result.cases, regime, to_text(pair));
   }
   return result;
 }

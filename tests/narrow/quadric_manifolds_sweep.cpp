@@ -100,7 +100,7 @@ std::string check_manifold(const QuadricCase& pair, const B& placed_b, bool with
 std::vector<std::string> manifold_cells() {
   std::vector<std::string> cells;
   for (const std::string& a : quadric_kinds()) {
-    for (const std::string& b : quadric_other_kinds()) cells.push_back(a + "/" + b);
+    for (const std::string& b : quadric_other_kinds()) cells.push_back(fmt::format("{}/{}", a, b));
     cells.push_back(a + "/half-space");
   }
   return cells;

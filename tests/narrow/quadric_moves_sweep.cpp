@@ -82,7 +82,7 @@ std::string check_moves(const QuadricCase& pair, const B& placed_b, Random& rand
     return "overlapping, but apart";
   if (relation(b, a).kind != lie.kind) return "relation exchanged";
   if (is_solid_kind(placed_b))
-    if (const std::string wrong = depth_fault(penetration(a, b), set_a, set_b, random); !wrong.empty()) return wrong;
+    if (std::string wrong = depth_fault(penetration(a, b), set_a, set_b, random); !wrong.empty()) return wrong;
   const Vec3 way = placed_b.pose.offset - pair.a.pose.offset;
   const Vec3 motion = 1.5 * way + 0.3 * std::sqrt(dot(way, way)) * quadric_direction(random);
   if (std::string wrong = cast_fault(cast_shape(a, motion, b), set_a, motion, set_b); !wrong.empty()) return wrong;
@@ -96,7 +96,7 @@ std::string check_moves(const QuadricCase& pair, const B& placed_b, Random& rand
 std::vector<std::string> move_cells() {
   std::vector<std::string> cells;
   for (const std::string& a : quadric_kinds())
-    for (const std::string& b : quadric_other_kinds()) cells.push_back(a + "/" + b);
+    for (const std::string& b : quadric_other_kinds()) cells.push_back(fmt::format("{}/{}", a, b));
   return cells;
 }
 

@@ -13,7 +13,7 @@ using oracle::Fine;
 std::vector<std::string> quadric_cells() {
   std::vector<std::string> cells;
   for (const std::string& a : quadric_kinds())
-    for (const std::string& b : quadric_other_kinds()) cells.push_back(a + "/" + b);
+    for (const std::string& b : quadric_other_kinds()) cells.push_back(fmt::format("{}/{}", a, b));
   return cells;
 }
 

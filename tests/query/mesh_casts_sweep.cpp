@@ -7,7 +7,7 @@ namespace {
 
 std::string fault_of_soup(const std::string& family, Random& random) {
   const MeshCastCase c = mesh_cast_case(family, random);
-  const std::string fault = mesh_cast_fault(c.a, c.motion, c.b, c.query);
+  std::string fault = mesh_cast_fault(c.a, c.motion, c.b, c.query);
   if (!fault.empty()) return fault;
   const std::string other_way = mesh_cast_fault(c.b, -c.motion, c.a, exchanged(c.query));
   return other_way.empty() ? "" : "the mesh moves: " + other_way;

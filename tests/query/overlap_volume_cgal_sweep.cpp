@@ -21,7 +21,7 @@ namespace {
 using CgalNumber = CgalKernel::FT;
 using CgalPoint = CgalKernel::Point_3;
 
-/// Of a bounded solid: the signed tetrahedra over its triangles.
+/// The volume of a bounded solid is that of the signed tetrahedra over its triangles.
 CgalNumber exact_volume(const CgalNef& solid) {
   std::vector<CgalPoint> points;
   std::vector<std::vector<std::size_t>> triangles;

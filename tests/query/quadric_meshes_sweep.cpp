@@ -1,4 +1,6 @@
 #include "narrow/convex_cells.hpp"
+
+#include <fmt/format.h>
 #include "query/quadric_meshes_checks.hpp"
 
 // Quadrics against solids, surfaces and height fields: every question against all triangles asked one by one.
@@ -8,7 +10,7 @@ namespace {
 std::vector<std::string> cells_of_quadric_meshes() {
   std::vector<std::string> cells;
   for (const std::string& kind : quadric_kinds())
-    for (const std::string& mesh : quadric_mesh_kinds()) cells.push_back(kind + "/" + mesh);
+    for (const std::string& mesh : quadric_mesh_kinds()) cells.push_back(fmt::format("{}/{}", kind, mesh));
   return cells;
 }
 

@@ -7,6 +7,7 @@
 #include "oracle/convex.hpp"
 #include "query/relation/hull_mesh.hpp"
 #include "support/convex_cases.hpp"
+#include "support/mesh_pairs.hpp"
 #include "toccata/query/contacts.hpp"
 #include "toccata/query/overlap.hpp"
 #include "toccata/query/relation.hpp"
@@ -17,8 +18,6 @@ namespace toccata::test {
 inline Model model_of(const ConvexShape& shape) {
   return std::visit([](const auto& given) { return Model(given); }, shape);
 }
-
-inline PairQuery exchanged(const PairQuery& q) { return {q.pose_b, q.pose_a, q.solid_b, q.solid_a}; }
 
 inline RelationKind kind_of(oracle::RelationKind kind) { return static_cast<RelationKind>(kind); }
 inline Containment containment_of(oracle::Containment c) { return static_cast<Containment>(c); }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <array>
 #include <cmath>
 #include <string>
@@ -107,7 +108,7 @@ SweepResult run_shape_pairs(const std::string& cell, std::uint64_t seed, std::ui
     std::string text;
     const std::string wrong = check_shape_pairs(cell.substr(0, slash), cell.substr(slash + 1), regime, random, text);
     if (wrong.empty()) continue;
-    if (result.wrong++ == 0) result.first_failure = wrong + ", case " + std::to_string(result.cases) + ": " + text;
+    if (result.wrong++ == 0) result.first_failure = fmt::format("{}, case {}: {}", wrong, result.cases, text);
   }
   return result;
 }
@@ -115,7 +116,7 @@ SweepResult run_shape_pairs(const std::string& cell, std::uint64_t seed, std::ui
 std::vector<std::string> cells() {
   std::vector<std::string> all;
   for (const std::string& side : sides)
-    for (const std::string& kind : convex_kinds()) all.push_back(side + "/" + kind);
+    for (const std::string& kind : convex_kinds()) all.push_back(fmt::format("{}/{}", side, kind));
   return all;
 }
 

@@ -33,7 +33,7 @@ SweepResult run_casts(const std::string& family, std::uint64_t seed, std::uint64
     Random random(case_seed);
     const UnlikeSizes pair = random_unlike_sizes(family, random);
     const Vec3 motion = random_vector(random, 3 * pair.ratio);
-    const std::string fault = mesh_cast_fault(pair.large, motion, pair.small, pair.query);
+    std::string fault = mesh_cast_fault(pair.large, motion, pair.small, pair.query);
     if (!fault.empty()) return fault;
     const std::string other_way = mesh_cast_fault(pair.small, -motion, pair.large, exchanged(pair.query));
     return other_way.empty() ? "" : "the small one moves: " + other_way;

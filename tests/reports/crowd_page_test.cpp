@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "support/page.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/crowds.hpp"
 
@@ -19,10 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json header_of(const std::string& page) {
-  const std::size_t at = page.find('>', page.find("<script id=\"toccata-header\"")) + 1;
-  return Json::parse(page.substr(at, page.find("</script>", at) - at));
-}
+Json header_of(const std::string& page) { return test::Page(page).header; }
 
 CrowdRecording recording_of(const char* scene, std::size_t count, int frames, BroadPhaseMethod method) {
   Crowd crowd(scene, count);

@@ -13,9 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/page.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
@@ -28,44 +30,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string element_text(const std::string& page, const std::string& id) {
-  const std::string begin = "<script id=\"" + id + "\"";
-  const std::size_t at = page.find('>', page.find(begin));
-  return page.substr(at + 1, page.find("</script>", at) - at - 1);
-}
+struct Page : test::Page {
+  explicit Page(std::string text) : test::Page(text), html(std::move(text)) {}
 
-/// The bytes behind base64.
-std::string decoded(const std::string& text) {
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6U | static_cast<std::uint32_t>(letters.find(c));
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> static_cast<unsigned>(count) & 255U);
-  }
-  return bytes;
-}
-
-struct Page {
   std::string html;
-  Json header;
-  Json report;
-  std::string data;
-
-  template <class Number>
-  [[nodiscard]] std::vector<Number> numbers(const Json& place) const {
-    std::vector<Number> all(place.at("count").get<std::size_t>());
-    const std::size_t at = place.at("at").get<std::size_t>();
-    EXPECT_EQ(at % 4, 0U);
-    EXPECT_LE(at + all.size() * sizeof(Number), data.size());
-    std::memcpy(all.data(), data.data() + at, all.size() * sizeof(Number));
-    return all;
-  }
 };
 
 Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptions& options = {}) {
@@ -73,12 +41,7 @@ Page page_of(const Scene& scene, const CheckOptions& asked = {}, const ViewOptio
   const CheckAnswer answer = check_all(models, asked);
   const CheckReport report =
       make_check_report(models, answer, {Touching::count, asked.contacts, asked.penetration, asked.clearance, {}});
-  Page page;
-  page.html = view_page(scene, models, report, options);
-  page.header = Json::parse(element_text(page.html, "toccata-header"));
-  page.report = Json::parse(element_text(page.html, "toccata-report"));
-  page.data = decoded(element_text(page.html, "toccata-data"));
-  return page;
+  return Page(view_page(scene, models, report, options));
 }
 
 CheckOptions contacts_and_penetration() {
@@ -114,7 +77,7 @@ double largest_difference(const Vec3& a, const Vec3& b) {
 TEST(ViewPage, HoldsTheReportAndTheMeshes) {
   const Scene scene = gear_train();
   const Page page = page_of(scene, contacts_and_penetration());
-  EXPECT_EQ(page.header["format"], "toccata/view/3");
+  EXPECT_EQ(page.header["format"], "toccata/view/4");
   EXPECT_EQ(page.report["schema"], "toccata/check/2");
   EXPECT_EQ(page.report["pairs"].size(), page.header["words"].size());
   ASSERT_EQ(page.header["objects"].size(), scene.objects.size());

@@ -19,40 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct WrittenWorld {
-  Json header;
-  Json report;
-  std::string data;
-
-  explicit WrittenWorld(const std::string& page)
-      : header(Json::parse(text(page, "header"))), report(Json::parse(text(page, "report"))) {
-    const std::string base64 = text(page, "data");
-    std::uint32_t bits = 0;
-    unsigned held = 0;
-    for (const char c : base64.substr(0, base64.find('='))) {
-      bits = bits << 6U | static_cast<std::uint32_t>(letters.find(c));
-      held += 6;
-      if (held < 8) continue;
-      held -= 8;
-      data += static_cast<char>(bits >> held & 255U);
-    }
-  }
-  template <class Number>
-  [[nodiscard]] std::vector<Number> numbers(const Json& place) const {
-    std::vector<Number> all(place["count"].get<std::size_t>());
-    std::memcpy(all.data(), data.data() + place["at"].get<std::size_t>(), all.size() * sizeof(Number));
-    return all;
-  }
-
- private:
-  static constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-  static std::string text(const std::string& page, const std::string& name) {
-    const std::size_t at = page.find('>', page.find("<script id=\"toccata-" + name)) + 1;
-    return page.substr(at, page.find("</script>", at) - at);
-  }
-};
-
 /// A ball that comes to a turning box, touches it, and goes; and a body that is taken away.
 struct Intersection {
   World world{{.distance = true, .manifold = true}};
@@ -78,7 +44,7 @@ struct Intersection {
 
 TEST(WorldPage, TellsThePairsOfEveryStep) {
   const Intersection intersection;
-  const WrittenWorld page(world_page(intersection.recording, {.title = "meeting"}));
+  const test::Page page(world_page(intersection.recording, {.title = "meeting"}));
   EXPECT_EQ(page.header["summary"], "3 bodies · 4 steps");
   EXPECT_EQ(page.header["time"]["moments"][1]["note"], "1 pair, 1 begin, 0 persist; 0 end");
   EXPECT_EQ(page.report["schema"], "toccata/world/2");
@@ -111,7 +77,7 @@ TEST(WorldPage, TellsThePairsOfEveryStep) {
 
 TEST(WorldPage, PutsBodiesWhereTheyAre) {
   const Intersection intersection;
-  const WrittenWorld page(world_page(intersection.recording));
+  const test::Page page(world_page(intersection.recording));
   const Json& motion = page.header["motion"];
   const auto objects = page.numbers<std::uint32_t>(motion["objects"]);
   const auto places = page.numbers<float>(motion["places"]);
@@ -141,7 +107,7 @@ TEST(WorldPage, ASurfaceIsThereAtAllMoments) {
   Intersection intersection;
   intersection.recording.add(
       WorldRecording::Surface{"Swept volume", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 1}, {4, 0, 1}, {0, 4, 1}}});
-  const WrittenWorld page(world_page(intersection.recording));
+  const test::Page page(world_page(intersection.recording));
   const Json& layer = page.header["layers"].back();
   EXPECT_EQ(layer["kind"], "triangles");
   EXPECT_EQ(layer["name"], "Swept volume");

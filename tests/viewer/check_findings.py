@@ -17,12 +17,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
 from check_intersections import check_faces_drawn, check_sentences  # noqa: E402
 from check_pages import BOX, Checks, WICKED, differing, is_blue, moved, share  # noqa: E402
+from page_content import content_of  # noqa: E402
 
 ROWS = "1 0 0 0 1 0 0 0 1 "
-
-
-def element(page, name):
-    return re.search(rf'id="toccata-{name}"[^>]*>(.*?)</script>', page, re.DOTALL).group(1)
 
 
 def drawn_report(checks, browser, name, *words):
@@ -31,9 +28,9 @@ def drawn_report(checks, browser, name, *words):
     (checks.folder / f"{name}.json").write_text(text)
     checks.run("view", f"{name}.json", "-o", f"{name}.html")
     beside, later = ((checks.folder / file).read_text() for file in ["beside.html", f"{name}.html"])
-    headers = [{**json.loads(element(page, "header")), "title": ""} for page in [beside, later]]
+    headers = [{**json.loads(content_of(page, "header")), "title": ""} for page in [beside, later]]
     checks.expect(headers[0] == headers[1], f"{name}: the page of the report is the one that was written beside it")
-    checks.expect(element(beside, "data") == element(later, "data"), f"{name}: both draw the same")
+    checks.expect(content_of(beside, "data") == content_of(later, "data"), f"{name}: both draw the same")
     checks.opened(browser, f"{name}.html", "#theme=light")
     browser.value("(() => { const order = document.getElementById('order'); order.value = 'listed'; order.onchange(); })()")
     return json.loads(text)

@@ -23,6 +23,7 @@ from check_robot import check_robot  # noqa: E402
 from check_subdivided import check_subdivided  # noqa: E402
 from check_walk import check_walk  # noqa: E402
 from check_world import check_large_world, check_world  # noqa: E402
+from page_content import content_of, with_content  # noqa: E402
 from pixels import differing, is_blue, is_orange, share  # noqa: E402
 
 TURNED = "a\u202egnp.exe\x07"
@@ -382,13 +383,10 @@ def look_at_level(checks, browser, level, what):
 
 def check_empty(checks, browser):
     text = (checks.folder / "wicked.html").read_text()
-    header = json.loads(re.search(r'id="toccata-header"[^>]*>(.*?)</script>', text).group(1))
-    report = json.loads(re.search(r'id="toccata-report"[^>]*>(.*?)</script>', text, re.DOTALL).group(1))
+    header, report = (json.loads(content_of(text, name)) for name in ("header", "report"))
     header.update(objects=[], meshes=[], layers=[], words=[])
     report.update(objects=[], pairs=[])
-    for name, value in [("header", header), ("report", report)]:
-        written = json.dumps(value).replace("<", "\\u003c")
-        text = re.sub(rf'(id="toccata-{name}"[^>]*>).*?(</script>)', lambda m, w=written: m[1] + w + m[2], text, flags=re.DOTALL)
+    text = with_content(with_content(text, "header", header), "report", report)
     (checks.folder / "empty.html").write_text(text)
     checks.opened(browser, "empty.html")
     checks.expect("empty" in browser.value("document.getElementById('notice').textContent"), "an empty scene says so")

@@ -66,7 +66,7 @@ class QuestionedWorld {
   /// Among many there are no half-spaces: all would be within them.
   [[nodiscard]] Shape random_shape(Random& random) const {
     for (;;) {
-      const Shape shape = convex_ ? convex_in_crowd(random) : shape_in_crowd(random);
+      Shape shape = convex_ ? convex_in_crowd(random) : shape_in_crowd(random);
       if (spread_ <= few_spread || kind_of(shape) != ShapeKind::half_space) return shape;
     }
   }

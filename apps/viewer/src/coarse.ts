@@ -2,12 +2,12 @@
 // mesh in cells, the vertices of each cell as one, and the triangles that are left.
 import { BufferAttribute, BufferGeometry } from 'three';
 
-/// Of all objects together so many triangles are drawn while they move, and there is something coarse only from so many on.
+/// How many triangles of all objects together are drawn while they move, and from how many on there is something coarse.
 export const detail = { whenMoving: 24_000, heavy: 300_000 };
 
 type Numbers = Float32Array | Uint16Array;
 
-/// Of each vertex the number of its cell, and of each cell that has some the first of them; `cells` along each side of the box.
+/// The number of each vertex's cell, and the first vertex of each cell that has some; there are `cells` along each side of the box.
 function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: number): { of: Uint32Array; first: number[] } {
   const scale = [0, 1, 2].map((axis) => (upper[axis] > lower[axis] ? cells / (upper[axis] - lower[axis]) : 0));
   const numberOf = new Int32Array(cells ** 3).fill(-1);

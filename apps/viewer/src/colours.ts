@@ -27,7 +27,7 @@ export const stepColours = [blue, orange, green, purple, skyBlue, vermilion];
 /// At rest, moving, moving and in a pair.
 export const bodyColours = [untouched, skyBlue, orange];
 
-/// Of pairs of a World: that begin, that end.
+/// The colours of pairs of a World that begin, and that end.
 export const eventColours = { begin: vermilion, end: purple };
 
 export interface Theme {

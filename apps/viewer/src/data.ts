@@ -14,7 +14,7 @@ export interface VertexPlace extends ArrayPlace {
   step: Vec;
 }
 
-/// Of boxes in 65,535 steps.
+/// Boxes are written in 65,535 steps.
 export interface BoxesPlace extends ArrayPlace {
   lower: Vec;
   step: Vec;
@@ -72,14 +72,14 @@ interface Levels extends Layer {
   steps: LayerStep[];
 }
 
-/// Of polyhedra.
+/// A hierarchy of polyhedra.
 export interface FlatHierarchy extends Levels {
   faces: ArrayPlace;
   node_of_face: ArrayPlace;
   edges_of_face: ArrayPlace;
 }
 
-/// Of balls, ellipsoids and swept spheres, 18 numbers each (round.ts).
+/// A hierarchy of balls, ellipsoids or swept spheres, 18 numbers each (round.ts).
 export interface RoundHierarchy extends Levels {
   rounds: ArrayPlace;
 }
@@ -360,7 +360,7 @@ export class PageData {
   private constructor(
     readonly header: Header,
     readonly report: Report,
-    private readonly bytes: Uint8Array,
+    private readonly bytes: ArrayBuffer,
   ) {
     for (const layer of header.layers) {
       if (layer.finding === undefined) continue;
@@ -379,46 +379,44 @@ export class PageData {
     return (finding === undefined ? undefined : this.byFinding.get(finding)) ?? [];
   }
 
-  static read(): PageData {
-    const header = parsedVisibly(textOf('toccata-header')) as Header;
-    if (header.format !== 'toccata/view/3') throw new Error(`this page cannot show ${header.format}`);
-    const report = parsedVisibly(textOf('toccata-report')) as Report;
-    report.objects = report.objects.map((object) => ({ ...plainObject, ...object }));
-    return new PageData(header, report, bytesOf(textOf('toccata-data')));
+  static async read(): Promise<PageData> {
+    const [header, report, bytes] = await Promise.all([jsonIn('toccata-header'), jsonIn('toccata-report'), inflated('toccata-data').arrayBuffer()]);
+    const { format } = header as Header;
+    if (format !== 'toccata/view/4') throw new Error(`this page cannot show ${format}`);
+    const { objects } = report as Report;
+    return new PageData(header as Header, { ...(report as Report), objects: objects.map((object) => ({ ...plainObject, ...object })) }, bytes);
   }
 
   floats(place: ArrayPlace): Float32Array {
-    return new Float32Array(this.bytes.buffer, place.at, place.count);
+    return new Float32Array(this.bytes, place.at, place.count);
   }
 
   integers(place: ArrayPlace): Uint32Array {
-    return new Uint32Array(this.bytes.buffer, place.at, place.count);
+    return new Uint32Array(this.bytes, place.at, place.count);
   }
 
   shorts(place: ArrayPlace): Uint16Array {
-    return new Uint16Array(this.bytes.buffer, place.at, place.count);
+    return new Uint16Array(this.bytes, place.at, place.count);
   }
 }
 
-function textOf(id: string): string {
-  const element = document.getElementById(id);
-  if (!element) throw new Error('the page holds no data: it is the empty template');
-  return element.textContent ?? '';
+/// What an element of the page holds, which is deflated and written in base64.
+function inflated(id: string): Response {
+  const text = document.getElementById(id)?.textContent;
+  if (text === null || text === undefined) throw new Error('the page holds no data: it is the empty template');
+  if (typeof DecompressionStream === 'undefined') throw new Error('the browser is too old: Chrome 80, Firefox 113 or Safari 16.4 are the first that can read it');
+  return new Response(new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('deflate')));
 }
 
-function bytesOf(base64: string): Uint8Array {
-  const { fromBase64 } = Uint8Array as { fromBase64?: (text: string) => Uint8Array };
-  if (fromBase64) return padded(fromBase64.call(Uint8Array, base64));
+async function jsonIn(id: string): Promise<unknown> {
+  return parsedVisibly(await inflated(id).text());
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const { fromBase64 } = Uint8Array as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> };
+  if (fromBase64) return fromBase64.call(Uint8Array, base64);
   const characters = atob(base64);
-  const bytes = new Uint8Array(Math.ceil(characters.length / 4) * 4);
+  const bytes = new Uint8Array(characters.length);
   for (let i = 0; i < characters.length; ++i) bytes[i] = characters.charCodeAt(i);
   return bytes;
-}
-
-/// To whole numbers of four bytes, at the beginning of a buffer.
-function padded(bytes: Uint8Array): Uint8Array {
-  if (bytes.byteOffset === 0 && bytes.buffer.byteLength % 4 === 0) return bytes;
-  const whole = new Uint8Array(Math.ceil(bytes.length / 4) * 4);
-  whole.set(bytes);
-  return whole;
 }

@@ -247,7 +247,7 @@ function ofDistances({ header, report }: PageData): Findings {
 
 const statusOf = (status: string) => (status === 'exact' ? 'certified' : decided(status));
 
-/// Of which faces the nearest points are, where the objects are made of some.
+/// The faces that the nearest points are on, where the objects have some.
 function facesOf(report: Report, distance: Distance, a: number, b: number): Part[][] {
   if (distance.upper === 0) return [];
   const of = (object: number, face: number): Part[][] =>

@@ -39,7 +39,7 @@ function factsOf(object: ReportObject, unit: string): Part[][] {
   return [...facts, ...volumesOf(object), ...partitionsOf(object)].map((fact) => [fact]);
 }
 
-/// Of each bounding volume how full it is, and the smallest hierarchy of it.
+/// How full each bounding volume is, and its smallest hierarchy.
 function volumesOf(object: ReportObject): string[] {
   const least = new Map<string, { fill: number; bytes: number }>();
   for (const { volume, fill, bytes } of object.volumes ?? []) {

@@ -37,7 +37,7 @@ interface Drawing {
 
 type Draw = (layer: Layer, drawing: Drawing, style: LayerStyle) => Object3D;
 
-/// Of what `inspect` found out of order.
+/// The colours of what `inspect` found out of order.
 const faultColours = (theme: Theme) => ({
   boundary_edges: theme.depth,
   non_manifold_edges: theme.normal,

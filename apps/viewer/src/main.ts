@@ -137,18 +137,16 @@ function listen(viewer: Viewer): void {
   for (const [, key, what] of keys) list?.append(make('dt', key), make('dd', what));
 }
 
-function start(): void {
-  const viewer = new Viewer(PageData.read());
+async function start(): Promise<void> {
+  const viewer = new Viewer(await PageData.read());
   listen(viewer);
   window.addEventListener('hashchange', () => location.reload()); // another link was put into the address
   Object.assign(window, { toccata: viewer }); // for tests, and for the curious
 }
 
-try {
-  start();
-} catch (error) {
+start().catch((error: unknown) => {
   const notice = element('notice');
   notice.hidden = false;
   notice.textContent = `The page cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
   console.error(error);
-}
+});

@@ -8,7 +8,7 @@ interface Template {
   triangles: number[];
 }
 
-/// Of so many rings around, and four times `quarter` columns.
+/// A template has so many rings around, and four times `quarter` columns.
 function template(rings: number, quarter: number): Template {
   const made: Template = { ways: [], sides: [], triangles: [] };
   const columns = 4 * (quarter + 1);

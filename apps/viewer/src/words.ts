@@ -27,7 +27,7 @@ export function vectorText(v: Vec): string {
   return `(${v.map((x) => numberText(x)).join(', ')})`;
 }
 
-/// Of length 1: six decimals tell it, and what is less is rounding.
+/// A direction has length 1, so six decimals tell it, and what is less is rounding.
 export function directionText(v: Vec): string {
   return `(${v.map((x) => String(Number(x.toFixed(6)) + 0)).join(', ')})`;
 }

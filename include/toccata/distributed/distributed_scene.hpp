@@ -16,7 +16,7 @@ namespace toccata {
 /// again by each rank that needs it; it returns the same each time. What it throws is thrown on all ranks.
 using ReadPart = std::function<std::vector<SceneInstance>(std::size_t part)>;
 
-/// Of one rank, in the last check.
+/// What the last check took one rank.
 struct DistributedCheckCosts {
   std::size_t parts = 0;         ///< that it had in memory
   std::uint64_t elements = 0;    ///< of their models
@@ -43,7 +43,7 @@ class DistributedScene {
   [[nodiscard]] CheckAnswer check(const CheckOptions& options = {});
 
   [[nodiscard]] std::size_t model_count() const;
-  /// Of the first model of a part; of one past the last part how many models there are.
+  /// The number of the first model of a part; for one past the last part how many models there are.
   [[nodiscard]] std::size_t first_model(std::size_t part) const;
   [[nodiscard]] const std::string& name(std::size_t model) const;
   [[nodiscard]] const DistributedCheckCosts& costs() const;

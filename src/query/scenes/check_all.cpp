@@ -260,7 +260,7 @@ class Check {
     return answer.kind == PairAnswer::Kind::overlap && answer.relation.containment == Containment::none;
   }
 
-  /// Of two meshes that overlap.
+  /// The kind of an overlap of two meshes, from its regions.
   static void tell_kind(PairAnswer& answer, const std::vector<ContactRegion>& regions) {
     if (!is_open_kind(answer) || regions.empty()) return;
     const auto passes_through = [](const ContactRegion& region) {
@@ -330,7 +330,7 @@ class Check {
     }
   }
 
-  /// Of every two elements that meet. Two half-spaces have no points.
+  /// The contact points of every two elements that meet. Two half-spaces have none.
   static std::vector<ContactManifold> manifolds_of(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
     const std::span<const Contact> found = contacts_of(a, b, scratch, 1);
     const std::vector<Contact> contacts(found.begin(), found.end());

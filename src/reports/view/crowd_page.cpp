@@ -184,7 +184,7 @@ std::string summary_of(const CrowdRecording& recording) {
 std::string crowd_page(const CrowdRecording& recording, const ViewOptions& options) {
   if (recording.frames().empty()) throw Error("there is no frame to be shown: record an update first");
   io::ViewData data;
-  Json header = {{"format", "toccata/view/3"},
+  Json header = {{"format", "toccata/view/4"},
                  {"title", io::as_utf8(options.title)},
                  {"up", options.up == UpAxis::y ? "y" : "z"},
                  {"summary", summary_of(recording)},

@@ -1,5 +1,10 @@
 #include "reports/view/filled_page.hpp"
 
+#include <zlib.h>
+
+#include <new>
+
+#include "io/formats/base64.hpp"
 #include "reports/view/view_template.hpp"
 #include "toccata/core/error.hpp"
 
@@ -9,20 +14,22 @@ namespace {
 /// Where the data goes in the template.
 constexpr std::string_view data_place = "<!--toccata-data-->";
 
-/// JSON that no HTML parser takes for the end of the element it stands in.
-std::string without_tags(const std::string& json) {
-  std::string text;
-  text.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
+/// Level 3 takes half the time of zlib's own, 6, and leaves a tenth more.
+constexpr int deflate_level = 3;
+
+std::string deflated(std::string_view bytes) {
+  std::string text(compressBound(bytes.size()), '\0');
+  uLongf size = text.size();
+  if (compress2(reinterpret_cast<Bytef*>(text.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                bytes.size(), deflate_level) != Z_OK)
+    throw std::bad_alloc();  // there is room, so nothing else fails
+  text.resize(size);
   return text;
 }
 
-std::string script(const char* id, const char* type, const std::string& text) {
-  return std::string("<script id=\"") + id + "\" type=\"" + type + "\">" + text + "</script>\n";
+/// An element whose text no HTML parser takes for markup.
+std::string element(const std::string& id, std::string_view content) {
+  return "<script id=\"" + id + "\" type=\"application/octet-stream\">" + base64_of(deflated(content)) + "</script>\n";
 }
 
 }  // namespace
@@ -32,11 +39,9 @@ std::string filled_page(const Json& header, const std::string& report, const Vie
   for (const std::string_view piece : view_template()) page += piece;
   const std::size_t place = page.find(data_place);
   if (place == std::string::npos) throw Error("the template of the page is damaged: build apps/viewer again");
-  const std::string scripts = script("toccata-header", "application/json",
-                                     without_tags(header.dump(-1, ' ', false, Json::error_handler_t::replace))) +
-                              script("toccata-report", "application/json", without_tags(report)) +
-                              script("toccata-data", "application/octet-stream", data.base64());
-  return page.replace(place, data_place.size(), scripts);
+  const std::string elements = element("toccata-header", header.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                               element("toccata-report", report) + element("toccata-data", data.bytes());
+  return page.replace(place, data_place.size(), elements);
 }
 
 }  // namespace toccata::io

@@ -3,8 +3,6 @@
 #include <bit>
 #include <cstring>
 
-#include "io/formats/base64.hpp"
-
 namespace toccata::io {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are in memory");
@@ -21,7 +19,5 @@ Json ViewData::add_numbers(std::span<const Number> numbers) {
 Json ViewData::add(std::span<const std::uint16_t> numbers) { return add_numbers(numbers); }
 Json ViewData::add(std::span<const std::uint32_t> numbers) { return add_numbers(numbers); }
 Json ViewData::add(std::span<const float> numbers) { return add_numbers(numbers); }
-
-std::string ViewData::base64() const { return base64_of(bytes_); }
 
 }  // namespace toccata::io

@@ -21,7 +21,7 @@ class ViewData {
   Json add(std::span<const std::uint32_t> numbers);
   Json add(std::span<const float> numbers);
 
-  [[nodiscard]] std::string base64() const;
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
  private:
   template <class Number>

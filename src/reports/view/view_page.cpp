@@ -82,7 +82,7 @@ std::string page_of(const Scene& scene, std::span<const SceneInstance> models, c
   const io::ViewMeshes meshes(models, io::places_of(io::queries_of(answer)));
   io::ViewData data;
   Json header = {
-      {"format", "toccata/view/3"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
+      {"format", "toccata/view/4"}, {"title", io::as_utf8(options.title)}, {"up", options.up == UpAxis::y ? "y" : "z"}};
   meshes.write(header, data);
   add_words(header, models, answer);
   add_nodes(header, scene);

@@ -183,7 +183,7 @@ std::string world_page(const WorldRecording& recording, const ViewOptions& optio
   const io::RecordedBodies bodies(recording.objects());
   const io::ViewMeshes meshes(bodies.models, io::places_of(recording));
   io::ViewData data;
-  Json header = {{"format", "toccata/view/3"},
+  Json header = {{"format", "toccata/view/4"},
                  {"title", io::as_utf8(options.title)},
                  {"up", options.up == UpAxis::y ? "y" : "z"},
                  {"summary", io::counted(bodies.models.size(), "body", "bodies") + " · " +
