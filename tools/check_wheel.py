@@ -212,6 +212,8 @@ def main():
     parser.add_argument("--slice", action="store_true")
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
+    # What is imported is compiled once, whatever the caller's own habit is: a dozen processes import the same.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     own = version_of(sys.executable)
     chosen = {own: sys.executable} if options.slice and not options.python else interpreters(options.python)
     if options.slice and (reason := next(filter(None, map(why_not, [sys.executable, *chosen.values()])), None)):

@@ -563,7 +563,7 @@ def load_mesh(path: str) -> Mesh:
 
 def generate_mesh(name: str, **parameters: float) -> Mesh:
     """
-    A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters (docs/guide/generated-meshes.md): the same bits everywhere. Raises Error for an unknown name.
+    A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters (docs/guide/generated-meshes.md), tube_radius for tube-radius: the same bits everywhere. Raises Error for an unknown name.
     """
 
 class Compound(Shape):
