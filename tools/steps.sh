@@ -175,9 +175,9 @@ run_tests() {
 
 # configure_tests [ON | OFF [OPTION…]]: files of tests and benchmarks are compiled without optimisation, unlike what they test, and those
 # of tests once for two programs: one with the libraries as users get them, and unless OFF one with those under sanitizers.
-# CGAL's second opinion is left to --all.
+# CGAL's second opinion is left to --all. The Python package has its test where there is a package index.
 configure_tests() {
-  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED="${1-ON}" -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_OPTIONS=-O0 "${@:2}"
+  configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED="${1-ON}" -DTOCCATA_BUILD_BENCH=ON -DTOCCATA_BENCH_WITH_PEERS=OFF -DTOCCATA_BENCH_ONLY_TESTED=ON -DTOCCATA_TEST_WITH_CGAL=OFF -DTOCCATA_TEST_PYTHON=ON -DTOCCATA_TEST_OPTIONS=-O0 "${@:2}"
 }
 
 # run_named_tests NAME…: each a room of tests/ (only its program is built, and not under sanitizers), or a part of a test's

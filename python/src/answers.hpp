@@ -6,15 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
-
-#include <toccata/core/error.hpp>
 
 #include "arrays.hpp"
 
@@ -52,11 +49,6 @@ constexpr auto fields_within(const std::tuple<Fields...>& inner) {
 template <class Answer>
 struct Described;
 
-template <class Answer, class Use>
-void for_each_field(const Use& use) {
-  std::apply([&](const auto&... fields) { (use(fields), ...); }, Described<Answer>::fields);
-}
-
 // How a value is told to Python, and told back when it was pickled.
 
 template <class Value>
@@ -90,65 +82,6 @@ nb::object plain_text(const Value& value) {
     return nb::cast(value);
 }
 
-/// "Distance(lower=1.0, …)"
-template <class Answer>
-std::string text_of(Answer answer) {
-  std::string text;
-  for_each_field<Answer>([&](const auto& field) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", field.name,
-                        nb::cast<std::string>(nb::repr(plain_text(field.of(answer)))));
-  });
-  return fmt::format("{}({})", Described<Answer>::name, text);
-}
-
-template <class Answer>
-nb::tuple state_of(Answer answer) {
-  nb::list state;
-  for_each_field<Answer>([&](const auto& field) { state.append(plain_value(field.of(answer))); });
-  return nb::tuple(state);
-}
-
-template <class Answer>
-Answer from_state(const nb::tuple& state) {
-  Answer answer{};
-  if (state.size() != std::tuple_size_v<std::remove_cvref_t<decltype(Described<Answer>::fields)>>)
-    throw Error(fmt::format("a pickled {} of another version", Described<Answer>::name));
-  std::size_t i = 0;
-  for_each_field<Answer>([&](const auto& field) {
-    auto& value = field.of(answer);
-    value = from_plain<std::remove_cvref_t<decltype(value)>>(state[i++]);
-  });
-  return answer;
-}
-
-/// The class of a single answer.
-template <class Answer>
-nb::class_<Answer> bind_answer(nb::module_& module) {
-  nb::class_<Answer> bound(module, Described<Answer>::name, Described<Answer>::doc, nb::is_final());
-  for_each_field<Answer>([&]<class Field>(const Field& field) {
-    using Value = typename Field::Value;
-    const auto of = &Field::of;
-    if constexpr (std::is_same_v<Value, Vec3> || std::is_same_v<Value, std::vector<double>>)
-      bound.def_prop_ro(
-          field.name, [of](Answer& answer) { return array_of(of(answer)); }, field.doc);
-    else
-      bound.def_prop_ro(
-          field.name, [of](Answer& answer) -> Value { return of(answer); }, field.doc);
-  });
-  bound.def("__repr__", [](const Answer& answer) { return text_of(answer); })
-      .def(
-          "__eq__",
-          [](const Answer& answer, const nb::object& other) {
-            return nb::isinstance<Answer>(other) && state_of(answer).equal(state_of(nb::cast<const Answer&>(other)));
-          },
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__getstate__", [](const Answer& answer) { return state_of(answer); })
-      .def("__setstate__",
-           [](Answer& answer, const nb::tuple& state) { new (&answer) Answer(from_state<Answer>(state)); });
-  bound.attr("__hash__") = nb::none();
-  return bound;
-}
-
 template <class Answer>
 concept IsDescribed = requires {
   Described<Answer>::fields;
@@ -156,6 +89,9 @@ concept IsDescribed = requires {
 
 template <class Answer>
 nb::object dtype_of();
+
+/// "f8"
+[[nodiscard]] nb::object format_of_number(char kind, std::size_t size);
 
 /// What numpy calls the type of a member.
 template <class Value>
@@ -169,43 +105,119 @@ nb::object format_of() {
   else if constexpr (std::is_same_v<Value, bool>)
     return nb::str("?");
   else if constexpr (std::is_floating_point_v<Value>)
-    return nb::str(fmt::format("f{}", sizeof(Value)).c_str());
+    return format_of_number('f', sizeof(Value));
   else if constexpr (std::is_enum_v<Value>)
-    return nb::str(
-        fmt::format("{}{}", std::is_signed_v<std::underlying_type_t<Value>> ? "i" : "u", sizeof(Value)).c_str());
+    return format_of_number(std::is_signed_v<std::underlying_type_t<Value>> ? 'i' : 'u', sizeof(Value));
+  else if constexpr (std::is_integral_v<Value>)
+    return format_of_number(std::is_signed_v<Value> ? 'i' : 'u', sizeof(Value));
   else
-    return nb::str(fmt::format("{}{}", std::is_signed_v<Value> ? "i" : "u", sizeof(Value)).c_str());
+    return nb::none();  // of any length: in no array
 }
 
-/// The numpy.dtype over the memory of an answer.
+/// A field of whatever answer, so that what is done with all fields is compiled once: where it lies in the answer, and
+/// what is done with a value of its type there.
+struct Member {
+  const char* name;
+  std::size_t offset;
+  nb::object (*format)();
+  nb::object (*plain)(const std::byte* value) = nullptr;
+  nb::object (*text)(const std::byte* value) = nullptr;
+  void (*set)(std::byte* value, nb::handle told) = nullptr;
+};
+
+/// What a single answer needs, and a row of an array does not.
+template <class Value>
+void tell_alone(Member& member) {
+  member.plain = [](const std::byte* value) { return plain_value(*reinterpret_cast<const Value*>(value)); };
+  member.text = [](const std::byte* value) { return plain_text(*reinterpret_cast<const Value*>(value)); };
+  member.set = [](std::byte* value, nb::handle told) { *reinterpret_cast<Value*>(value) = from_plain<Value>(told); };
+}
+
+template <class Answer, class Value>
+Member member_at(const char* name, const Answer& answer, const Value& value) {
+  const auto address = [](const auto& thing) { return reinterpret_cast<const std::byte*>(&thing); };
+  return {name, static_cast<std::size_t>(address(value) - address(answer)), &format_of<Value>};
+}
+
 template <class Answer>
-nb::object made_dtype() {
-  nb::list names, formats, offsets;
+std::vector<Member> members_of() {
   Answer example{};
-  for_each_field<Answer>([&](const auto& field) {
-    auto& value = field.of(example);
-    names.append(field.name);
-    formats.append(format_of<std::remove_reference_t<decltype(value)>>());
-    offsets.append(reinterpret_cast<const std::byte*>(&value) - reinterpret_cast<const std::byte*>(&example));
-  });
-  nb::dict told;
-  told["names"] = names;
-  told["formats"] = formats;
-  told["offsets"] = offsets;
-  told["itemsize"] = sizeof(Answer);
-  return nb::module_::import_("numpy").attr("dtype")(told);
+  return std::apply(
+      [&](const auto&... field) { return std::vector{member_at(field.name, example, field.of(example))...}; },
+      Described<Answer>::fields);
 }
 
-/// The same, made once and kept for ever. The interpreter's lock guards it; numpy may let another thread make it too.
+/// "Distance(lower=1.0, …)"
+[[nodiscard]] std::string text_of(const char* name, std::span<const Member> members, const std::byte* answer);
+[[nodiscard]] nb::tuple state_of(std::span<const Member> members, const std::byte* answer);
+/// Throws Error where the state has another number of members.
+void set_state(const char* name, std::span<const Member> members, std::byte* answer, const nb::tuple& state);
+/// The numpy.dtype over the memory of an answer.
+[[nodiscard]] nb::object dtype_of(std::span<const Member> members, std::size_t size);
+
+/// All members of one type are read by one function, which is told where they lie.
+template <class Value, class Answer>
+void bind_reading(nb::class_<Answer>& bound, const char* name, std::size_t offset, const char* doc) {
+  const auto of = [offset](Answer& answer) -> Value& {
+    return *reinterpret_cast<Value*>(reinterpret_cast<std::byte*>(&answer) + offset);
+  };
+  if constexpr (std::is_same_v<Value, Vec3> || std::is_same_v<Value, std::vector<double>>)
+    bound.def_prop_ro(
+        name, [of](Answer& answer) { return array_of(of(answer)); }, doc);
+  else
+    bound.def_prop_ro(
+        name, [of](Answer& answer) -> Value { return of(answer); }, doc);
+}
+
+template <class Answer, class Field>
+void bind_member(nb::class_<Answer>& bound, const Field& field, Member& member) {
+  using Value = typename Field::Value;
+  tell_alone<Value>(member);
+  bind_reading<Value>(bound, field.name, member.offset, field.doc);
+}
+
+/// The class of a single answer.
+template <class Answer>
+nb::class_<Answer> bind_answer(nb::module_& module) {
+  static std::vector<Member> members = members_of<Answer>();
+  nb::class_<Answer> bound(module, Described<Answer>::name, Described<Answer>::doc, nb::is_final());
+  std::size_t i = 0;
+  std::apply([&](const auto&... field) { (bind_member(bound, field, members[i++]), ...); }, Described<Answer>::fields);
+  const auto bytes = [](const Answer& answer) { return reinterpret_cast<const std::byte*>(&answer); };
+  bound
+      .def("__repr__",
+           [bytes](const Answer& answer) { return text_of(Described<Answer>::name, members, bytes(answer)); })
+      .def(
+          "__eq__",
+          [bytes](const Answer& answer, const nb::object& other) {
+            return nb::isinstance<Answer>(other) &&
+                   state_of(members, bytes(answer)).equal(state_of(members, bytes(nb::cast<const Answer&>(other))));
+          },
+          nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__getstate__", [bytes](const Answer& answer) { return state_of(members, bytes(answer)); })
+      .def("__setstate__", [](Answer& answer, const nb::tuple& state) {
+        Answer told{};
+        set_state(Described<Answer>::name, members, reinterpret_cast<std::byte*>(&told), state);
+        new (&answer) Answer(std::move(told));
+      });
+  bound.attr("__hash__") = nb::none();
+  return bound;
+}
+
+/// The numpy.dtype over the memory of an answer, made once and kept for ever. The interpreter's lock guards it; numpy
+/// may let another thread make it too.
 template <class Answer>
 nb::object dtype_of() {
   static PyObject* kept = nullptr;
   if (kept == nullptr) {
-    nb::object made = made_dtype<Answer>();
+    nb::object made = dtype_of(members_of<Answer>(), sizeof(Answer));
     if (kept == nullptr) kept = made.release().ptr();
   }
   return nb::borrow(kept);
 }
+
+/// Memory that holds answers, as a structured array.
+[[nodiscard]] Answers structured(const nb::capsule& owner, std::byte* data, std::size_t bytes, const nb::object& dtype);
 
 /// The answers themselves, not copied, as a structured array.
 template <class Answer>
@@ -213,13 +225,7 @@ Answers structured(std::vector<Answer> answers) {
   static_assert(std::is_trivially_copyable_v<Answer>);
   const nb::capsule owner = capsule_of(std::move(answers));
   auto& kept = *static_cast<std::vector<Answer>*>(owner.data());
-  const nb::object numpy = nb::module_::import_("numpy");
-  if (kept.empty()) return nb::borrow<Answers>(numpy.attr("zeros")(0, dtype_of<Answer>()));
-  const std::size_t bytes = kept.size() * sizeof(Answer);
-  const nb::object memory =
-      nb::cast(nb::ndarray<nb::numpy, std::uint8_t>(reinterpret_cast<std::uint8_t*>(kept.data()), {bytes}, owner),
-               nb::rv_policy::reference);
-  return nb::borrow<Answers>(memory.attr("view")(dtype_of<Answer>()));
+  return structured(owner, reinterpret_cast<std::byte*>(kept.data()), kept.size() * sizeof(Answer), dtype_of<Answer>());
 }
 
 }  // namespace toccata::python

@@ -229,8 +229,10 @@ void bind_deforming(nb::module_& module) {
 At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end`, shape (N, 3), is where it starts. Questions are asked
 of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting
 is contact, exactly, or to be at most `separation` apart, in the unit of the coordinates. `starts_free` promises that nothing
-meets at the start, which saves time. Answers do not depend on threads. Raises Error for another number of ends than of
-vertices, for what is not finite, and for a promise that is found broken.)");
+meets at the start, as where a free step ended: then what pierces something there is not looked for, and stays unseen where
+the promise is broken. Answers do not depend on threads. Raises Error for another number of ends than of vertices and for what
+is not finite; questions of times, asked without a separation, also where they find the promise broken, which meets and
+free_steps never do.)");
   bind_ways(bound);
   bind_impacts_of(bound);
 }

@@ -19,6 +19,11 @@ std::string pose_text(const Pose& pose) {
                      row(pose.offset));
 }
 
+Pose finite(const Pose& pose) {
+  if (!is_finite(pose)) throw Error("the pose is not finite");
+  return pose;
+}
+
 /// Takes one point or an array (N, 3).
 Floats transformed(const Pose& pose, const ArrayLike& points) {
   const Doubles numbers = doubles(points, "points");
@@ -45,24 +50,18 @@ and never corrected: they may scale, shear and mirror, but spheres, capsules, ro
 rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error for what is no pose.)")
       .def(nb::init<>())
       .def(
-          "__init__",
-          [](Pose* place, const PoseLike& given) {
-            const Pose pose = pose_of(given, "the pose");
-            if (!is_finite(pose)) throw Error("the pose is not finite");
-            new (place) Pose(pose);
-          },
+          "__init__", [](Pose* place, const PoseLike& given) { new (place) Pose(finite(pose_of(given, "the pose"))); },
           nb::arg("given"))
       .def(
           "__init__",
           [](Pose* place, const PoseLike& linear, const ArrayLike& offset) {
-            const Pose pose = pose_of(nb::make_tuple(linear, offset), "the pose");
-            if (!is_finite(pose)) throw Error("the pose is not finite");
-            new (place) Pose(pose);
+            new (place) Pose(finite(pose_of(nb::make_tuple(linear, offset), "the pose")));
           },
           nb::arg("linear"), nb::arg("offset"))
       .def_static(
-          "translation", [](double x, double y, double z) { return Pose::translation(x, y, z); }, nb::arg("x"),
-          nb::arg("y"), nb::arg("z"), "Moves by (x, y, z), in the unit of the coordinates.")
+          "translation", [](double x, double y, double z) { return finite(Pose::translation(x, y, z)); }, nb::arg("x"),
+          nb::arg("y"), nb::arg("z"),
+          "Moves by (x, y, z), in the unit of the coordinates. Raises Error when a number is not finite.")
       .def_static(
           "rotation",
           [](const ArrayLike& axis, double degrees) { return Pose::rotation(vector_of(axis, "axis"), degrees); },
@@ -80,7 +79,7 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
                   fmt::format("quaternion: four numbers x, y, z, w are needed, and what is given has the shape {}",
                               shape_text(numbers.shape)));
             const double* q = numbers.data;
-            return Pose::rigid({q[0], q[1], q[2], q[3]}, vector_of(translation, "translation"));
+            return finite(Pose::rigid({q[0], q[1], q[2], q[3]}, vector_of(translation, "translation")));
           },
           nb::arg("quaternion"), nb::arg("translation") = nb::make_tuple(0.0, 0.0, 0.0),
           "Of a quaternion, shape (4,), in the order x, y, z, w, as scipy and ROS have it; trimesh's has w first. It "
@@ -91,7 +90,7 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
           "nearest_rigid",
           [](const PoseLike& given) {
             const Pose pose = pose_of(given, "given");
-            return Pose::nearest_rigid(pose.linear, pose.offset);
+            return finite(Pose::nearest_rigid(pose.linear, pose.offset));
           },
           nb::arg("given"),
           "With the rotation that is nearest to the given linear part (N. J. Higham, 1986): what drifted or came from "

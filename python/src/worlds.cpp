@@ -419,8 +419,8 @@ void bind_bodies_of_world(BoundWorld& bound) {
           nb::sig("def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | "
                   "collections.abc.Sequence[RigidMotion]) -> None"),
           "Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the "
-          "way: "
-          "nothing tunnels. Raises Error like move.")
+          "way: nothing tunnels. A body goes from where its motion begins, wherever it was before: what lies between "
+          "these two is passed over. Raises Error like move.")
       .def(
           "replace",
           [](const HeldWorld& held, const BodyId& id, const Body& body) {

@@ -82,10 +82,17 @@ def poses_file(poses: numpy.ndarray, file: pathlib.Path) -> pathlib.Path:
     return written(numpy.concatenate([poses[:, :3, :3].reshape(-1, 9), poses[:, :3, 3]], axis=1), file)
 
 
+def pairs_asked() -> list:
+    """Of all; in a slice of a third, in which every shape is still."""
+    shapes = one_of_each()
+    pairs = itertools.combinations_with_replacement(range(len(shapes)), 2)
+    return [(shapes[i], shapes[j]) for i, j in pairs if not SLICE or (i + j) % 3 == 0]
+
+
 @needs_command
 def test_questions_about_two_shapes(tmp_path):
     compared = 0
-    for number, (a, b) in enumerate(itertools.combinations_with_replacement(one_of_each(), 2)):
+    for number, (a, b) in enumerate(pairs_asked()):
         poses = matrices(POSES, 1.5, number)
         scene, file = scene_of([a, b], tmp_path), poses_file(poses, tmp_path / "poses.txt")
         found = toccata.distance_each(a, b, poses_b=poses)
@@ -106,7 +113,7 @@ def test_questions_about_two_shapes(tmp_path):
                 for name in ("lower", "upper", "direction", "on_a", "on_b"):
                     assert numpy.array_equal(told["penetration"][name], getattr(depth, name)), (a, b, told, depth)
             compared += 1
-    assert compared >= (900 if SLICE else 9000)
+    assert compared >= (300 if SLICE else 9000)
 
 
 def defined(question, a, b) -> bool:

@@ -48,6 +48,18 @@ def test_a_mesh_with_itself():
         mesh.meets(mesh)
 
 
+def test_a_promise_that_is_broken():
+    """Questions of times say so where they find it; what pierces something is not looked for, as the docstring says."""
+    still, touching = toccata.DeformingMesh(TRIANGLE), falling(0, 1)
+    for ask in (touching.first_impact, touching.impacts, touching.free_step):
+        assert ask(still) is not None
+        with pytest.raises(toccata.Error, match="promised to be free"):
+            ask(still, starts_free=True)
+    assert touching.meets(still, starts_free=True) and (touching.free_steps(still, starts_free=True)[0] == 0).any()
+    pierced = toccata.DeformingMesh(toccata.Mesh([[1, 1, -1], [1.1, 1, 1], [1, 1.1, 1]], [[0, 1, 2]]))
+    assert pierced.meets(still) and not pierced.meets(still, starts_free=True)
+
+
 def test_no_question_sees_an_old_box(knot):
     """After any number of moves the answers are those of a mesh that is made anew."""
     rng = numpy.random.default_rng(3)

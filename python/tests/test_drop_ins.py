@@ -13,6 +13,8 @@ import tarfile
 
 import pytest
 
+from conftest import SLICE
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SDISTS = pathlib.Path(os.environ.get("TOCCATA_SDISTS", ROOT / "build/python/sdists"))
@@ -22,6 +24,9 @@ OF_EQUAL_CUBES = {
     "assert g.np.allclose(c.point, g.np.array([5.0, -0.5, 0.5]))": "assert (abs(c.point - (5, 0, 0)) <= 0.5).all()",
     "assert g.np.allclose(c.normal, g.np.array([-1.0, 0.0, 0.0]))": "assert sorted(abs(c.normal)) == [0, 0, 1]",
 }
+
+# Of 700 pairs trimesh's manager asks for every contact, to tell a name of each.
+LONGEST = "CollisionTest::test_collision_batch"
 
 
 def sources(name: str, version: str) -> pathlib.Path:
@@ -37,7 +42,7 @@ def sources(name: str, version: str) -> pathlib.Path:
     return known[0]
 
 
-def run_tests_of(archive: pathlib.Path, test: str, folder: pathlib.Path, in_place_of: str, changed: dict) -> str:
+def run_tests_of(archive: pathlib.Path, test: str, folder: pathlib.Path, in_place_of: str, changed: dict, leaving: list[str] | None = None) -> str:
     with tarfile.open(archive) as sdist:
         sdist.extractall(folder, filter="data")
     file = folder / archive.name.removesuffix(".tar.gz") / test
@@ -47,7 +52,8 @@ def run_tests_of(archive: pathlib.Path, test: str, folder: pathlib.Path, in_plac
         text = text.replace(line, instead)
     file.write_text(text)
     path = os.pathsep.join([str(HERE / "drop_ins"), str(pathlib.Path(sys.modules["toccata"].__file__).parents[1])])
-    words = ["-q", "-p", "toccata_in_place", "-p", "no:cacheprovider", "--rootdir", str(file.parent), str(file)]
+    words = [word for name in leaving or [] for word in ("--deselect", f"{file.name}::{name}")]
+    words += ["-q", "-p", "toccata_in_place", "-p", "no:cacheprovider", "--rootdir", str(file.parent), str(file)]
     run = subprocess.run(
         [sys.executable, "-m", "pytest", *words],
         capture_output=True,
@@ -64,8 +70,9 @@ def test_trimesh_s_tests_of_collisions(tmp_path, in_place_of):
     """`collision`: toccata.trimesh for trimesh.collision; `fcl`: trimesh's own manager, which calls toccata.fcl."""
     trimesh = pytest.importorskip("trimesh")
     archive = sources("trimesh", trimesh.__version__)
-    out = run_tests_of(archive, "tests/test_collision.py", tmp_path, in_place_of, OF_EQUAL_CUBES)
-    assert "5 passed" in out, out
+    left = [LONGEST] if SLICE and in_place_of == "fcl" else []
+    out = run_tests_of(archive, "tests/test_collision.py", tmp_path, in_place_of, OF_EQUAL_CUBES, left)
+    assert f"{5 - len(left)} passed" in out, out
 
 
 def test_python_fcl_s_tests(tmp_path):

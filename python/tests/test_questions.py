@@ -7,7 +7,7 @@ import numpy
 import pytest
 
 import toccata
-from conftest import matrices, one_of_each
+from conftest import SLICE, matrices, one_of_each
 
 
 def same(single, row):
@@ -37,7 +37,7 @@ def test_every_pair_of_kinds_answers_or_says_why():
 
 @pytest.mark.parametrize("threads", [1, 2, 0])
 def test_batches_answer_as_single_questions(knot, threads):
-    poses = matrices(40, 2, 7)
+    poses = matrices(15 if SLICE else 40, 2, 7)
     ball, box = toccata.Sphere(0.9), toccata.Box((0.9, 0.8, 0.7))
     for a, b in ((ball, box), (knot, box), (knot, knot)):
         overlaps = toccata.overlap_each(a, b, poses_b=poses, threads=threads)

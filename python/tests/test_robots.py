@@ -13,8 +13,11 @@ import numpy
 import pytest
 
 import toccata
+from conftest import SLICE, in_slices
 from test_bits import COMMAND, asked, scene_of, written
 
+# Of batches that are compared with their questions one by one.
+COUNT = 15 if SLICE else 60
 CRATE = toccata.SceneInstance(toccata.Box((0.2, 0.2, 0.2)), (0.6, 0, 0.5), name="crate")
 
 
@@ -145,11 +148,11 @@ def test_every_answer_is_that_of_the_library(robot, tmp_path):
     obstacles = [toccata.Box((0.2, 0.2, 0.2), (0.6, 0, 0.5)), toccata.Sphere(0.15, (-0.4, 0.5, 0.8)), toccata.Capsule((0, -0.6, 0), (0, -0.6, 1), 0.1)]
     file = scene_of(obstacles, tmp_path)
     scene = toccata.RobotScene(read, [toccata.SceneInstance(o, name=f"{i}") for i, o in enumerate(obstacles)])
-    many = read.sampled(400, seed=9)
+    many = read.sampled(in_slices(400), seed=9)
     words = ["--scene", file, "--configurations", written(many, tmp_path / "q.csv"), "--distance", "--edges"]
     report = asked("robot", tmp_path / "arm/robot.urdf", *words)
     meets, nearest, contacts = scene.meets_each(many), scene.distance_each(many), scene.contacts_each(many)
-    assert 40 < meets.sum() < 360
+    assert 0.1 < meets.mean() < 0.9
     for i, told in enumerate(report["configurations"]):
         assert told["positions"] == many[i].tolist() and told["meets"] == meets[i]
         assert [(c["link"], c["other"]) for c in told["contacts"]] == [scene.names(row) for row in contacts[contacts["query"] == i]]
@@ -158,7 +161,7 @@ def test_every_answer_is_that_of_the_library(robot, tmp_path):
         for name, ours in (("lower", "lower"), ("upper", "upper"), ("on_link", "on_a"), ("on_other", "on_b"), ("gradient", "gradient")):
             assert numpy.array_equal(distance[name], row[ours]), (i, name)
     edges = scene.edge_each(many[:-1], many[1:])
-    assert 0 < edges["is_free"].sum() < 399
+    assert 0 < edges["is_free"].sum() < len(edges)
     for told, row in zip(report["edges"], edges, strict=True):
         assert told["free"] == row["is_free"]
         if not told["free"]:
@@ -167,7 +170,7 @@ def test_every_answer_is_that_of_the_library(robot, tmp_path):
 
 
 def test_batches_are_each_alone_on_any_number_of_threads(scene, robot):
-    many, others = robot.sampled(60, seed=3), robot.sampled(60, seed=4)
+    many, others = robot.sampled(COUNT, seed=3), robot.sampled(COUNT, seed=4)
     for threads in (1, 2, 0):
         meets = scene.meets_each(many, threads=threads)
         nearest = scene.distance_each(many, threads=threads)
@@ -184,7 +187,7 @@ def test_batches_are_each_alone_on_any_number_of_threads(scene, robot):
             assert all(numpy.array_equal(getattr(alone, name), nearest[i][name]) for name in nearest.dtype.names if name != "found")
             assert (within is not None) == near[i]["found"] and (within is None or within == alone)
             assert edge.is_free == free[i] and all(getattr(edge, name) == edges[i][name] for name in edges.dtype.names)
-    assert alone.gradient.shape == (7,) and nearest["gradient"].shape == (60, 7)
+    assert alone.gradient.shape == (7,) and nearest["gradient"].shape == (COUNT, 7)
     for answer in (alone, edge, *scene.contacts(many[meets][0])[:1]):
         assert pickle.loads(pickle.dumps(answer)) == answer and repr(answer).startswith("Robot")
 
@@ -195,7 +198,7 @@ def test_other_threads_go_on_while_a_batch_is_asked(scene, robot):
     def ask() -> None:
         begun.set()
         begin = time.perf_counter()
-        scene.distance_each(robot.sampled(1500), threads=1)
+        scene.distance_each(robot.sampled(500 if SLICE else 1500), threads=1)
         moments.append((begin, time.perf_counter()))
         ended.set()
 
@@ -226,7 +229,7 @@ def test_gradients_are_those_of_small_changes(scene, robot):
 
 
 def test_edges_that_are_free_are_free_between(scene, robot):
-    begins, ends = robot.sampled(40, seed=1), robot.sampled(40, seed=2)
+    begins, ends = robot.sampled(in_slices(40), seed=1), robot.sampled(in_slices(40), seed=2)
     edges = scene.edge_each(begins, ends)
     for begin, end, edge in zip(begins, ends, edges):
         between = scene.meets_each(begin + numpy.linspace(0, 1, 50)[:, None] * (end - begin))
@@ -279,11 +282,11 @@ def test_clouds_and_voxels_are_obstacles(robot):
     assert (cloud.name, voxels.name) == ("cloud", "cells")
     balls = [(toccata.Sphere(0.03), point) for point in points]
     cubes = [(toccata.Box((0.03, 0.03, 0.03)), point) for point in points]
-    many = robot.sampled(150)
+    many = robot.sampled(40 if SLICE else 150)
     for whole, parts in ((cloud, balls), (voxels, cubes)):
         one, apart = toccata.RobotScene(robot, [whole]), toccata.RobotScene(robot, parts)
         meets = one.meets_each(many)
-        assert numpy.array_equal(meets, apart.meets_each(many)) and 10 < meets.sum() < 140
+        assert numpy.array_equal(meets, apart.meets_each(many)) and 0.07 < meets.mean() < 0.93
         assert numpy.array_equal(one.distance_each(many)["upper"], apart.distance_each(many)["upper"])
     for wrong in (numpy.zeros((0, 3)), numpy.zeros((3, 2)), [[0, 0, math.nan]]):
         with pytest.raises(toccata.Error):

@@ -59,7 +59,9 @@ class Pose:
 
     @staticmethod
     def translation(x: float, y: float, z: float) -> Pose:
-        """Moves by (x, y, z), in the unit of the coordinates."""
+        """
+        Moves by (x, y, z), in the unit of the coordinates. Raises Error when a number is not finite.
+        """
 
     @staticmethod
     def rotation(axis: numpy.typing.ArrayLike, degrees: float) -> Pose:
@@ -561,7 +563,7 @@ def load_mesh(path: str) -> Mesh:
 
 def generate_mesh(name: str, **parameters: float) -> Mesh:
     """
-    A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters (docs/guide/generated-meshes.md): the same bits everywhere. Raises Error for an unknown name.
+    A mesh by the name of its generator, such as 'torus-knot', 'gear' or 'noise-sphere', with its parameters (docs/guide/generated-meshes.md), tube_radius for tube-radius: the same bits everywhere. Raises Error for an unknown name.
     """
 
 class Compound(Shape):
@@ -2208,8 +2210,10 @@ class DeformingMesh:
     At the time t from 0 to 1 a vertex is at (1 - t) * start + t * end; left out, `end`, shape (N, 3), is where it starts. Questions are asked
     of the mesh with itself, or with `other`; features that have a vertex in common are not asked about. What counts as meeting
     is contact, exactly, or to be at most `separation` apart, in the unit of the coordinates. `starts_free` promises that nothing
-    meets at the start, which saves time. Answers do not depend on threads. Raises Error for another number of ends than of
-    vertices, for what is not finite, and for a promise that is found broken.
+    meets at the start, as where a free step ended: then what pierces something there is not looked for, and stays unseen where
+    the promise is broken. Answers do not depend on threads. Raises Error for another number of ends than of vertices and for what
+    is not finite; questions of times, asked without a separation, also where they find the promise broken, which meets and
+    free_steps never do.
     """
 
     def __init__(self, mesh: Mesh, end: numpy.typing.ArrayLike | None = None, *, threads: int = 1) -> None: ...
@@ -2621,7 +2625,7 @@ class World:
 
     def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | Sequence[RigidMotion]) -> None:
         """
-        Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels. Raises Error like move.
+        Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels. A body goes from where its motion begins, wherever it was before: what lies between these two is passed over. Raises Error like move.
         """
 
     def replace(self, id: BodyId, body: Body) -> None:
