@@ -99,7 +99,7 @@ def clean_environment(name, python, *packages):
 
 
 def version_of(python):
-    words = [python, "-c", "import sys; print(*sys.version_info[:2])"]
+    words = [python, "-c", "import sys; print('%d %d' % sys.version_info[:2])"]  # which Python 2 understands, too
     return tuple(map(int, subprocess.run(words, capture_output=True, text=True, check=True).stdout.split()))
 
 
