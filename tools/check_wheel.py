@@ -161,7 +161,7 @@ def made_wheel(python, tag, sources, options, tools):
         shutil.rmtree(folder, ignore_errors=True)
     words = [f"--config-settings=build-dir={FOLDER}/build-{tag}"]
     if options.prefix:
-        words += ["--config-settings=cmake.source-dir=python", f"-Ccmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
+        words += ["--config-settings=cmake.source-dir=python", f"--config-settings=cmake.define.CMAKE_PREFIX_PATH={options.prefix.resolve()}"]
     if options.slice:
         words += ["--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE=-O0"]
     jobs = {"CMAKE_BUILD_PARALLEL_LEVEL": "1"} if options.slice else {}  # other tests run beside it
