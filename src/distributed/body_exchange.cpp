@@ -297,20 +297,38 @@ void DistributedWorld::State::read_removed(MessageReader& reader) {
   }
 }
 
-void DistributedWorld::State::read(MessageReader& reader, News& news) {
+void DistributedWorld::State::read_next(MessageReader& reader, News& news) {
   constexpr std::size_t few = 16384;  // a copy of all that come would be as much memory as they are
-  while (!reader.is_at_end()) {
-    const BodyHead head = get_head(reader);
-    const GlobalId id = reader.get_number();
-    if (head.is_new_home) news.homes.emplace_back(id, reader.get_all<int>());
-    if (head.message == BodyMessage::put) news.put.push_back({{id, get_body(reader, models_)}, head.is_deformed});
-    if (head.message == BodyMessage::leave) news.leaving.push_back(id);
-    if (head.place != PlaceMessage::none) news.places.push_back(get_place(reader, head.place, id));
-    if (head.has_rules) {
-      news.put.back().rules = get_rules(reader);
-      news.with_rules.push_back(id);
-    }
-    if (news.put.size() == few) put_here(news.put);
+  const BodyHead head = get_head(reader);
+  const GlobalId id = reader.get_number();
+  if (head.is_new_home) news.homes.emplace_back(id, reader.get_all<int>());
+  if (head.message == BodyMessage::put) news.put.push_back({{id, get_body(reader, models_)}, head.is_deformed});
+  if (head.message == BodyMessage::leave) news.leaving.push_back(id);
+  if (head.place != PlaceMessage::none) news.places.push_back(get_place(reader, head.place, id));
+  if (head.has_rules) {
+    news.put.back().rules = get_rules(reader);
+    news.with_rules.push_back(id);
+  }
+  if (news.put.size() == few) put_here(news.put);
+}
+
+/// The message of the least id is the next one. So bodies that are given in the order of their ids lie here in that
+/// order, whichever ranks they come from, and who goes through them goes through memory as it lies.
+void DistributedWorld::State::read(std::span<MessageReader> readers, News& news) {
+  const auto id_of_next = [](MessageReader reader) {
+    static_cast<void>(get_head(reader));
+    return reader.get_number();
+  };
+  std::vector<std::pair<GlobalId, MessageReader*>> waiting;
+  for (MessageReader& reader : readers)
+    if (!reader.is_at_end()) waiting.emplace_back(id_of_next(reader), &reader);
+  while (!waiting.empty()) {
+    const auto next = std::ranges::min_element(waiting, {}, &std::pair<GlobalId, MessageReader*>::first);
+    read_next(*next->second, news);
+    if (next->second->is_at_end())
+      waiting.erase(next);
+    else
+      next->first = id_of_next(*next->second);
   }
 }
 
@@ -352,7 +370,7 @@ void DistributedWorld::State::receive(const WantedChanges& changes, std::span<co
   // First: another rank may have given the id of a removed body to a new one.
   for (MessageReader& reader : readers) read_removed(reader);
   News news;
-  for (MessageReader& reader : readers) read(reader, news);
+  read(readers, news);
   put_here(news.put);
   // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
   go(news.places);

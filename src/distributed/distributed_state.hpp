@@ -223,7 +223,8 @@ class DistributedWorld::State {
   void put_whole(MessageWriter& letter, BodyId local, int to, int home, std::span<const int> holders);
   [[nodiscard]] WantedPlace get_place(MessageReader& reader, PlaceMessage place, GlobalId id) const;
   void read_removed(MessageReader& reader);
-  void read(MessageReader& reader, News& news);
+  void read_next(MessageReader& reader, News& news);
+  void read(std::span<MessageReader> readers, News& news);
   void receive(const WantedChanges& changes, std::span<const Received> letters);
   void remove_here(GlobalId id);
   void put_here(std::vector<PutBody>& put);
