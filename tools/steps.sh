@@ -240,8 +240,8 @@ bench_python() {
   build_library || return 2
   local environment=$source_folder/build/python/bench
   if [[ ! -x $environment/bin/python ]]; then python3 -m venv "$environment"; fi
-  say "installing the package and its peers: python-fcl, coal, trimesh, pybullet"
-  (cd "$source_folder" && "$environment/bin/pip" install --quiet --disable-pip-version-check . python-fcl coal trimesh pybullet) >&2 || return 2
+  say "installing the package and its peers: python-fcl, coal, trimesh (and scipy, which it needs), pybullet"
+  (cd "$source_folder" && "$environment/bin/pip" install --quiet --disable-pip-version-check . python-fcl coal trimesh scipy pybullet) >&2 || return 2
   "$environment/bin/python" "$source_folder/apps/bench/python/measure_python.py" --library "$source_folder/build/release" "$@"
 }
 
