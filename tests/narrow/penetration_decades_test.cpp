@@ -112,6 +112,21 @@ TEST(PenetrationOfHulls, OfTheLeastDoubleIsNotTouching) {
   EXPECT_LT(p.upper, 100 * least);
 }
 
+TEST(PenetrationOfHulls, IsNoneWhereTheyTouchAndAnotherFaceIsTheLeastDoubleDeep) {
+  constexpr double least = 4.9406564584124654e-324;
+  const auto box = [](const Vec3& low, const Vec3& high) {
+    std::vector<Vec3> corners;
+    for (const double x : {low.x, high.x})
+      for (const double y : {low.y, high.y})
+        for (const double z : {low.z, high.z}) corners.push_back({x, y, z});
+    return ConvexHull(corners);
+  };
+  const ConvexHull left = box({-2, 1, -1}, {0, 5, 3}), above = box({-least, 4, 3}, {4, 6, 7});
+  EXPECT_EQ(wrong_with_hulls(left, above), "");
+  EXPECT_EQ(penetration(PosedPolytope(left), PosedPolytope(above)).upper, 0);
+  EXPECT_EQ(penetration(PosedPolytope(above), PosedPolytope(left)).upper, 0);
+}
+
 TEST(PenetrationOfHulls, HasPointsOnNeedlesToo) {
   const ConvexHull needle(std::vector<Vec3>{{247512.59680693888, 313786.17459582741, 298113.54632768716},
                                             {286896.65565502062, -1311175.2139875321, 469039.29893654305},

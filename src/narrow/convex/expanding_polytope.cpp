@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
@@ -53,16 +54,21 @@ ExpandingPolytope::ExpandingPolytope(const DifferenceBody& body)
   walk_.reserve(64);
 }
 
-// The queue is short: what lies beyond the upper bound never enters it. What is out of date leaves it here.
+// The queue is short: what lies beyond the upper bound never enters it. What is out of date leaves it here. A distance
+// may underflow in its lower bound and still be more than the none of another facet: among equals the upper bound
+// tells.
 Index ExpandingPolytope::nearest() {
   std::size_t kept = 0;
   QueueEntry first{infinity, 0};
+  const auto is_before = [this](const QueueEntry& p, const QueueEntry& q) {
+    return std::tuple(p.lower, facets_[p.facet].upper, p.facet) < std::tuple(q.lower, facets_[q.facet].upper, q.facet);
+  };
   for (const QueueEntry& entry : queue_) {
     const PolytopeFacet& facet = facets_[entry.facet];
     // A facet that was made exact has come in twice.
     if (!facet.alive || facet.lower != entry.lower || entry.lower > upper_) continue;
     queue_[kept++] = entry;
-    if (entry.lower < first.lower || (entry.lower == first.lower && entry.facet < first.facet)) first = entry;
+    if (is_before(entry, first)) first = entry;
   }
   queue_.resize(kept);
   return first.facet;
