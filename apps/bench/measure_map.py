@@ -98,7 +98,7 @@ MAPS = {
 }
 PEERS_OF_NEAREST = "embree,cgal"
 # Seconds after which a call is taken not to end: building millions of triangles takes long, a thousand questions about convex shapes do not.
-LONGEST = {"mesh": 900, "convex": 60, "casts": 60, "rays": 900, "nearest": 900}
+LONGEST = {"mesh": 900, "convex": 15, "casts": 15, "rays": 900, "nearest": 900}
 
 
 def median_us(row):

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "narrow/penetration_checks.hpp"
+#include "support/convex_cases.hpp"
 #include "toccata/math/pose.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
@@ -137,6 +140,27 @@ TEST(ConvexManifold, KeepsItsFeaturesWhileTheContactLasts) {
     EXPECT_EQ(std::count_if(next.points.begin(), next.points.end(),
                             [&](const ManifoldPoint& q) { return p.on_a == q.on_a && p.on_b == q.on_b; }),
               1);
+}
+
+TEST(ConvexManifold, OfHullsIsAsDeepAsTheirPenetration) {
+  Random random(5);
+  int deep = 0;
+  for (const char* regime : {"deep", "hair", "close", "ulp"})
+    for (int i = 0; i < 50; ++i) {
+      const test::ConvexCase pair = test::convex_case("hull", "hull", regime, random);
+      const PosedPolytope a = test::posed(pair.a), b = test::posed(pair.b);
+      if (!a.solid() || !b.solid()) continue;
+      const Penetration p = penetration(a, b);
+      const Manifold m = manifold(a, b);
+      double greatest = 0;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k)
+        greatest = std::max(greatest, m.points[k].depth);
+      const double rounding = 0x1p-48 * test::size_of(test::set_of(pair.a));
+      EXPECT_LE(greatest, (1 + 0x1p-20) * p.upper + rounding) << regime << ' ' << i;
+      EXPECT_GE(greatest, (1 - 0x1p-19) * p.lower - rounding) << regime << ' ' << i;
+      deep += p.upper > 0 ? 1 : 0;
+    }
+  EXPECT_GE(deep, 60);
 }
 
 TEST(ConvexManifold, ATinyBallOnABoxHasOnePoint) {

@@ -217,9 +217,13 @@ Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes&
   return made_of(axis.direction, points);
 }
 
+/// Points are rounded more than this; a depth that is told as one is told (penetration) takes twice the digits where it
+/// is shallow.
+constexpr double width_of_depth = 0x1p-24;
+
 /// How shapes that meet are parted.
 ConvexSeparation part_shapes(const PosedPolytope& a, const PosedPolytope& b) {
-  if (a.radius() == 0 && b.radius() == 0) return part_meeting_cores(a, b);
+  if (a.radius() == 0 && b.radius() == 0) return part_meeting_cores(a, b, width_of_depth);
   if (const std::optional<ConvexSeparation> aligned = part_aligned_cores(a, b)) return *aligned;
   return part_by_expansion(a, b);
 }
@@ -241,7 +245,7 @@ Manifold of_any(const PosedPolytope& a, const PosedPolytope& b) {
 
 /// The manifold of shapes that meet, of any size.
 Manifold of_any_size(const PosedPolytope& a, const PosedPolytope& b) {
-  const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
+  const int exponent = exponent_to_plain(a, b);
   return exponent == 0 ? of_any(a, b) : scaled(of_any(a.scaled(exponent), b.scaled(exponent)), -exponent);
 }
 
@@ -284,7 +288,7 @@ Manifold manifold(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* 
 }
 
 Manifold manifold_along(const PosedPolytope& a, const PosedPolytope& b, const Vec3& direction) {
-  const int exponent = exponent_to_plain(std::max(greatest_length(a), greatest_length(b)));
+  const int exponent = exponent_to_plain(a, b);
   if (exponent != 0) return scaled(manifold_along(a.scaled(exponent), b.scaled(exponent), direction), -exponent);
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());

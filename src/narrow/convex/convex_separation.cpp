@@ -25,8 +25,8 @@ ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& 
   return part_meeting_cores(a, b);
 }
 
-ConvexSeparation part_meeting_cores(const PosedPolytope& a, const PosedPolytope& b) {
-  const CoreSeparation core = part_cores_by_expansion(a, b, a.radius() + b.radius());
+ConvexSeparation part_meeting_cores(const PosedPolytope& a, const PosedPolytope& b, double width) {
+  const CoreSeparation core = part_cores_by_expansion(a, b, a.radius() + b.radius(), width);
   if (core.kind == CoreSeparation::Kind::deep) return {offset_outward(core, a.radius(), b.radius()), core.pairs};
   if (core.kind == CoreSeparation::Kind::apart && a.radius() == 0 && b.radius() == 0)
     return {{0, 0, core.direction, core.on_a, core.on_b, core.status}, core.pairs};

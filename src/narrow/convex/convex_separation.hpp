@@ -20,7 +20,9 @@ struct ConvexSeparation {
 /// Parts the shapes by expansion. The answer for (B, A) may have other bits: ask in canonical order.
 [[nodiscard]] ConvexSeparation part_by_expansion(const PosedPolytope& a, const PosedPolytope& b);
 
-/// The same where it is known that even the cores have a point in common; quicker then.
-[[nodiscard]] ConvexSeparation part_meeting_cores(const PosedPolytope& a, const PosedPolytope& b);
+/// The same where it is known that even the cores have a point in common; quicker then. `width`: of the depth's
+/// bracket, relative, at most.
+[[nodiscard]] ConvexSeparation part_meeting_cores(const PosedPolytope& a, const PosedPolytope& b,
+                                                  double width = relative_width_of_depth);
 
 }  // namespace toccata

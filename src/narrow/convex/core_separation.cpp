@@ -169,8 +169,8 @@ CoreSeparation part_cores_exactly(const PosedPolytope& a, const PosedPolytope& b
   return Search(a, b, reach).run();
 }
 
-CoreSeparation part_cores_by_expansion(const PosedPolytope& a, const PosedPolytope& b, double reach) {
-  if (const std::optional<CoreSeparation> found = part_cores_fast(a, b, reach)) return *found;
+CoreSeparation part_cores_by_expansion(const PosedPolytope& a, const PosedPolytope& b, double reach, double width) {
+  if (const std::optional<CoreSeparation> found = part_cores_fast(a, b, reach, width)) return *found;
   return part_cores_exactly(a, b, reach);
 }
 

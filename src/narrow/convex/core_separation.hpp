@@ -31,12 +31,13 @@ inline constexpr double relative_width_of_depth = 0x1p-40;
 
 /// Parts the cores by expanding a polytope within the Minkowski difference (G. van den Bergen, "Proximity queries and
 /// penetration depth computation on 3D game objects", 2001): quickly, or else exactly. `reach`: the sum of the radii by
-/// which the shapes are grown.
-[[nodiscard]] CoreSeparation part_cores_by_expansion(const PosedPolytope& a, const PosedPolytope& b, double reach);
+/// which the shapes are grown; `width`: the bracket's, relative, at most.
+[[nodiscard]] CoreSeparation part_cores_by_expansion(const PosedPolytope& a, const PosedPolytope& b, double reach,
+                                                     double width = relative_width_of_depth);
 
 /// In doubles; nothing when rounding leaves a doubt.
 [[nodiscard]] std::optional<CoreSeparation> part_cores_fast(const PosedPolytope& a, const PosedPolytope& b,
-                                                            double reach);
+                                                            double reach, double width = relative_width_of_depth);
 
 /// Parts the cores with exact signs and from any start: the origin may be outside.
 [[nodiscard]] CoreSeparation part_cores_exactly(const PosedPolytope& a, const PosedPolytope& b, double reach);

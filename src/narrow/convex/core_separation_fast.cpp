@@ -30,8 +30,6 @@
 namespace toccata {
 namespace {
 
-constexpr double half_width = 0x1p-41;
-
 /// The plane of a facet of D, from vertices of the shapes.
 struct FacetPlane {
   Vec3 start_a, start_b;  ///< whose difference is a corner
@@ -73,7 +71,8 @@ FacetKind sort(FacetCorners& c) {
 
 class FastSeparation {
  public:
-  FastSeparation(const PosedPolytope& a, const PosedPolytope& b, double reach) : a_(a), b_(b), reach_(reach) {}
+  FastSeparation(const PosedPolytope& a, const PosedPolytope& b, double reach, double width)
+      : a_(a), b_(b), reach_(reach), half_width_(0.5 * width) {}
 
   std::optional<CoreSeparation> run() {
     if (!expand_fast(a_, b_, surface_)) return {};
@@ -88,7 +87,8 @@ class FastSeparation {
     FacetCorners corners = corners_of(facet);
     const FacetKind kind = sort(corners);
     const FacetPlane plane = plane_of(corners, kind);
-    const double width = half_width * (plane.distance + reach_);
+    const double width = half_width_ * (plane.distance + reach_);
+    if (!(plane.error <= width)) return {};
     CoreSeparation separation;
     separation.kind = CoreSeparation::Kind::deep;
     separation.lower = plane.distance - width;
@@ -230,13 +230,15 @@ class FastSeparation {
   const PosedPolytope& a_;
   const PosedPolytope& b_;
   double reach_;
+  double half_width_;  ///< of the bracket, relative
   FastSurface surface_;
 };
 
 }  // namespace
 
-std::optional<CoreSeparation> part_cores_fast(const PosedPolytope& a, const PosedPolytope& b, double reach) {
-  return FastSeparation(a, b, reach).run();
+std::optional<CoreSeparation> part_cores_fast(const PosedPolytope& a, const PosedPolytope& b, double reach,
+                                              double width) {
+  return FastSeparation(a, b, reach, width).run();
 }
 
 }  // namespace toccata

@@ -3,29 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vec3_measures.hpp"
+#include "narrow/convex/gjk.hpp"
+
 namespace toccata {
 namespace {
 
-Index farthest_vertex(const PosedPolytope& shape, const Vec3& direction) {
-  Index best = 0;
-  double greatest = dot(shape.vertex(0), direction);
-  for (Index i = 1; i < shape.vertex_count(); ++i) {
-    const double here = dot(shape.vertex(i), direction);
-    if (here <= greatest) continue;
-    best = i;
-    greatest = here;
-  }
-  return best;
+/// In the world.
+Vec3 vertex_of(const PosedPolytope& shape, Index i) {
+  const Vec3 stored{shape.along(0)[i], shape.along(1)[i], shape.along(2)[i]};
+  return shape.in_world() ? stored : world_vertex(shape.pose(), stored);
 }
 
 /// The sum of a fan's normals: not of length 1, and inwards when the pose mirrors.
 Vec3 area_vector(const PosedPolytope& shape, Index face) {
   const HullTopology topology = shape.topology();
   const Index first = topology.face_start[face], last = topology.face_start[face + 1];
-  const Vec3 origin = shape.vertex(topology.origin[first]);
-  Vec3 sum, spoke = shape.vertex(topology.origin[first + 1]) - origin;
+  const Vec3 origin = vertex_of(shape, topology.origin[first]);
+  Vec3 sum, spoke = vertex_of(shape, topology.origin[first + 1]) - origin;
   for (Index h = first + 2; h < last; ++h) {
-    const Vec3 next = shape.vertex(topology.origin[h]) - origin;
+    const Vec3 next = vertex_of(shape, topology.origin[h]) - origin;
     sum = sum + cross(spoke, next);
     spoke = next;
   }
@@ -53,6 +50,10 @@ bool has_vertex(const HullTopology& topology, Index face, Index vertex) {
 }  // namespace
 
 double turn_of_faces(const Mat3& linear) {
+  const double volume = dot(cross(linear[0], linear[1]), linear[2]);
+  const double most =
+      std::max({largest_magnitude(linear[0]), largest_magnitude(linear[1]), largest_magnitude(linear[2])});
+  if (most < 2 && std::fabs(volume) > 0x1p-20) return volume < 0 ? -1 : 1;  // as of every pose that hardly deforms
   const auto plain = [](const Vec3& row) {
     const double greatest = std::max({std::fabs(row.x), std::fabs(row.y), std::fabs(row.z)});
     return Vec3{row.x / greatest, row.y / greatest, row.z / greatest};
@@ -63,7 +64,7 @@ double turn_of_faces(const Mat3& linear) {
 ContactFace facing_face(const PosedPolytope& shape, const Vec3& direction) {
   ContactFace best;
   best.shape = &shape;
-  best.vertex = farthest_vertex(shape, direction);
+  best.vertex = SupportSearch(shape, support_kernels()).least(-direction);
   const HullTopology topology = shape.topology();
   if (topology.face_count() == 0) return best;
   const double mirrored = turn_of_faces(shape.pose().linear);
