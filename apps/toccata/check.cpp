@@ -301,64 +301,103 @@ Summary summary_of(const SelfReport& report) {
   return {counted(count, "object") + " self-intersecting", count > 0};
 }
 
-Subcommand add_check(CLI::App& app) {
-  const auto arguments = std::make_shared<CheckCommand>();
-  CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
-  add_input(*check, arguments->input, any_files);
-  add_poses(*check, *arguments);
+namespace {
+
+/// What is asked about the pairs.
+void add_questions(CLI::App& check, CheckCommand& arguments) {
   check
-      ->add_option("--solid", arguments->solid_word,
-                   "auto: watertight meshes are solids; all: an open mesh is an error; none: all are surfaces; "
-                   "by-winding: as auto, and what lies inside an open mesh by its generalised winding number overlaps "
-                   "it, undecided (default: as the scene says, else auto)")
+      .add_option("--solid", arguments.solid_word,
+                  "auto: watertight meshes are solids; all: an open mesh is an error; none: all are surfaces; "
+                  "by-winding: as auto, and what lies inside an open mesh by its generalised winding number overlaps "
+                  "it, undecided (default: as the scene says, else auto)")
       ->check(CLI::IsMember({"auto", "all", "none", "by-winding"}));
-  add_close(*check, arguments->input);
-  check->add_option("--touching", arguments->touching_word, "whether merely touching counts, also with a clearance")
+  add_close(check, arguments.input);
+  check.add_option("--touching", arguments.touching_word, "whether merely touching counts, also with a clearance")
       ->check(CLI::IsMember({"count", "ignore"}))
       ->capture_default_str();
-  check->add_flag("--penetration", arguments->penetration,
-                  "how deep solids overlap, a way to part them, their regions of contact and (without --poses) their "
-                  "points of contact");
-  add_text(*check, "--precision", arguments->precision_word,
+  check.add_flag("--penetration", arguments.penetration,
+                 "how deep solids overlap, a way to part them, their regions of contact and (without --poses) their "
+                 "points of contact");
+  add_text(check, "--precision", arguments.precision_word,
            "how wide the bracket of a depth may be, of --penetration or --tolerance: upper at most 1 + so many times "
            "lower (0.1)",
            "a number must be given")
       ->type_name("NUMBER");
-  add_text(*check, "--time-per-depth", arguments->time_per_depth_word,
+  add_text(check, "--time-per-depth", arguments.time_per_depth_word,
            "seconds for the depth of each pair: then the bracket so far is told (none)", "seconds must be given")
       ->type_name("SECONDS");
-  check->add_flag("--volume", arguments->volume,
-                  "how much volume solids have in common, between bounds; whether one passes through the other; and a "
-                  "point of both");
-  add_length(*check, "--tolerance", arguments->tolerance,
+  check.add_flag("--volume", arguments.volume,
+                 "how much volume solids have in common, between bounds; whether one passes through the other; and a "
+                 "point of both");
+  check.add_flag("--self", arguments.self,
+                 "each object against itself, instead of against the others: where its own faces meet");
+  check.add_flag("--faces", arguments.faces,
+                 "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
+}
+
+/// Which pairs are told, and which of them are clashes.
+void add_rules_of_clashes(CLI::App& check, CheckCommand& arguments) {
+  add_length(check, "--tolerance", arguments.tolerance,
              "overlaps that are certainly no deeper are told apart and are no clash (0.1mm); in a file of --rules also "
              "of some pairs");
-  add_clearances(*check, *arguments);
-  add_rules(*check, arguments->rules);
-  add_file(*check, "--baseline", arguments->baseline,
+  add_clearances(check, arguments);
+  add_rules(check, arguments.rules);
+  add_file(check, "--baseline", arguments.baseline,
            "an earlier report of --json: which pairs are new since, graver, known, moved or gone", "REPORT.json");
+}
+
+/// What fails, and how the pairs are ordered.
+void add_order(CLI::App& check, CheckCommand& arguments) {
   check
-      ->add_option(
-          "--fail-on", arguments->fail_on_word,
+      .add_option(
+          "--fail-on", arguments.fail_on_word,
           "exit code 1 for any pair that is told, only for hard ones, which do more than touch or come near, or "
           "only for what is new or graver than in the baseline")
       ->check(CLI::IsMember({"any", "hard", "new"}))
       ->capture_default_str();
   check
-      ->add_option("--sort", arguments->order_word,
-                   "the order of the pairs: that of the objects, or first what overlaps, the deepest of it first where "
-                   "--penetration is asked, then what touches, then what is near")
+      .add_option("--sort", arguments.order_word,
+                  "the order of the pairs: that of the objects, or first what overlaps, the deepest of it first where "
+                  "--penetration is asked, then what touches, then what is near")
       ->check(CLI::IsMember({"objects", "severity"}))
       ->capture_default_str();
   check
-      ->add_option("--group", arguments->group_word,
-                   "which clashes belong together: those of one part, or those in places next to each other")
+      .add_option("--group", arguments.group_word,
+                  "which clashes belong together: those of one part, or those in places next to each other")
       ->check(CLI::IsMember({"none", "part", "region"}))
       ->capture_default_str();
-  check->add_flag("--self", arguments->self,
-                  "each object against itself, instead of against the others: where its own faces meet");
-  check->add_flag("--faces", arguments->faces,
-                  "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
+}
+
+/// Takes the words in, and throws Error where they exclude each other.
+void take_choices(CheckCommand& arguments) {
+  if (arguments.fail_on_word == "new" && arguments.baseline.empty())
+    throw Error("--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
+  arguments.by_winding = arguments.solid_word == "by-winding";
+  if (arguments.by_winding && (arguments.format == Format::stream || !arguments.poses.empty()))
+    throw Error(fmt::format(
+        "--solid by-winding excludes {}: what is inside an open mesh is looked for after all pairs of the scene; "
+        "give one of the two",
+        arguments.poses.empty() ? "--stream" : "--poses"));
+  if (arguments.by_winding) arguments.solid_word = "auto";
+  take_words(arguments);
+  arguments.touching = arguments.touching_word == "ignore" ? Touching::ignore : Touching::count;
+  if (arguments.order_word == "severity") arguments.order = PairOrder::severity;
+  if (arguments.group_word != "none")
+    arguments.grouping = arguments.group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
+  if (arguments.fail_on_word != "any")
+    arguments.fail_on = arguments.fail_on_word == "hard" ? FailOn::hard : FailOn::added;
+}
+
+}  // namespace
+
+Subcommand add_check(CLI::App& app) {
+  const auto arguments = std::make_shared<CheckCommand>();
+  CLI::App* check = app.add_subcommand("check", "which objects touch, decided exactly");
+  add_input(*check, arguments->input, any_files);
+  add_poses(*check, *arguments);
+  add_questions(*check, *arguments);
+  add_rules_of_clashes(*check, *arguments);
+  add_order(*check, *arguments);
   add_writing(*check, *arguments, "docs/reference/check-report.md");
   add_exchange(*check, arguments->exchange);
   check->add_flag_callback(
@@ -386,28 +425,11 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check assembly.glb --baseline yesterday.json --fail-on new --sort severity --json\n"
                 "  {0} check a.stl b.stl --html report.html\n"
                 "  {0} check scenes/shelf/scene.json --json"));
-  return {
-      check, [arguments, check] {
-        require_company(*check);
-        if (arguments->fail_on_word == "new" && arguments->baseline.empty())
-          throw Error(
-              "--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
-        arguments->by_winding = arguments->solid_word == "by-winding";
-        if (arguments->by_winding && (arguments->format == Format::stream || !arguments->poses.empty()))
-          throw Error(fmt::format(
-              "--solid by-winding excludes {}: what is inside an open mesh is looked for after all pairs of the scene; "
-              "give one of the two",
-              arguments->poses.empty() ? "--stream" : "--poses"));
-        if (arguments->by_winding) arguments->solid_word = "auto";
-        take_words(*arguments);
-        arguments->touching = arguments->touching_word == "ignore" ? Touching::ignore : Touching::count;
-        if (arguments->order_word == "severity") arguments->order = PairOrder::severity;
-        if (arguments->group_word != "none")
-          arguments->grouping = arguments->group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
-        if (arguments->fail_on_word != "any")
-          arguments->fail_on = arguments->fail_on_word == "hard" ? FailOn::hard : FailOn::added;
-        return run_check(*arguments, asking_options(*check));
-      }};
+  return {check, [arguments, check] {
+            require_company(*check);
+            take_choices(*arguments);
+            return run_check(*arguments, asking_options(*check));
+          }};
 }
 
 }  // namespace toccata::command
