@@ -10,6 +10,51 @@
 namespace toccata::python {
 namespace {
 
+// Never freed: the module is not either.
+PyTypeObject* numpy_array = nullptr;
+PyObject* array_struct = nullptr;
+
+/// What an array of numpy tells of itself, by numpy's "array interface protocol": the same as by those of buffers and
+/// of dlpack, in a fraction of their time.
+class ToldArray {
+ public:
+  explicit ToldArray(nb::handle given) {
+    if (Py_TYPE(given.ptr()) != numpy_array) return;
+    capsule_ = nb::steal(PyObject_GetAttr(given.ptr(), array_struct));
+    if (!capsule_.is_valid()) throw nb::python_error();
+    told_ = static_cast<const Told*>(PyCapsule_GetPointer(capsule_.ptr(), nullptr));
+  }
+
+  /// They are doubles one after the other, in C order.
+  [[nodiscard]] bool has_doubles() const {
+    constexpr int in_c_order = 0x1, aligned = 0x100, not_swapped = 0x200, needed = in_c_order | aligned | not_swapped;
+    return told_ != nullptr && told_->kind == 'f' && told_->item_size == sizeof(double) &&
+           (told_->flags & needed) == needed;
+  }
+  [[nodiscard]] const double* data() const { return static_cast<const double*>(told_->data); }
+  [[nodiscard]] std::vector<std::size_t> shape() const { return {told_->shape, told_->shape + told_->axes}; }
+  [[nodiscard]] bool has_shape(Py_ssize_t rows, Py_ssize_t columns) const {
+    return told_->axes == 2 && told_->shape[0] == rows && told_->shape[1] == columns;
+  }
+
+ private:
+  /// PyArrayInterface, of numpy's documentation.
+  struct Told {
+    int two;
+    int axes;
+    char kind;
+    int item_size;
+    int flags;
+    Py_ssize_t* shape;
+    Py_ssize_t* strides;
+    void* data;
+    PyObject* description;
+  };
+
+  nb::object capsule_;
+  const Told* told_ = nullptr;
+};
+
 nb::module_ numpy() { return nb::module_::import_("numpy"); }
 
 std::string text_of(nb::handle object) { return nb::cast<std::string>(nb::str(object)); }
@@ -61,15 +106,10 @@ std::vector<Vec3> vectors_in(const Doubles& numbers) {
   return vectors;
 }
 
-/// The matrix at a place among matrices of 4×4 or 3×4 numbers.
-Pose pose_in(const Doubles& numbers, std::size_t place, std::string_view what) {
-  const std::size_t rows = *(numbers.shape.end() - 2);
-  const double* matrix = numbers.data + place * rows * 4;
-  const double* last = matrix + 12;
-  if (rows == 4 && (last[0] != 0 || last[1] != 0 || last[2] != 0 || last[3] != 1))
-    throw Error(fmt::format(
-        "{}{}: the last row of a 4×4 matrix must be 0 0 0 1, and is {} {} {} {}; a pose is no projection", what,
-        numbers.shape.size() == 3 ? fmt::format(", pose {}", place) : "", last[0], last[1], last[2], last[3]));
+Mat3 linear_at(const double* at) { return {{vector_at(at), vector_at(at + 3), vector_at(at + 6)}}; }
+
+/// Of a matrix, of which three rows say all.
+Pose pose_at(const double* matrix) {
   Pose pose;
   for (int i = 0; i < 3; ++i) {
     const double* row = matrix + 4 * i;
@@ -79,17 +119,30 @@ Pose pose_in(const Doubles& numbers, std::size_t place, std::string_view what) {
   return pose;
 }
 
+bool is_last_row(const double* row) { return row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 1; }
+
+[[noreturn]] void refuse_last_row(std::string_view what, const double* last) {
+  throw Error(
+      fmt::format("{}: the last row of a 4×4 matrix must be 0 0 0 1, and is {} {} {} {}; a pose is no projection", what,
+                  last[0], last[1], last[2], last[3]));
+}
+
+Pose pose_of_rows(const double* matrix, std::size_t rows, std::string_view what) {
+  if (rows == 4 && !is_last_row(matrix + 12)) refuse_last_row(what, matrix + 12);
+  return pose_at(matrix);
+}
+
 /// What scipy's and other rotations hand over: a matrix, or an array of them.
-nb::object matrix_of(nb::handle given) { return given.attr("as_matrix")(); }
+nb::object told_matrix(nb::handle given) { return given.attr("as_matrix")(); }
 
 bool tells_a_matrix(nb::handle given) { return nb::hasattr(given, "as_matrix"); }
 
 Mat3 rotation_of(nb::handle given, std::string_view what) {
-  const Doubles numbers = doubles(tells_a_matrix(given) ? matrix_of(given) : nb::borrow(given), what);
+  const Doubles numbers = doubles(tells_a_matrix(given) ? told_matrix(given) : nb::borrow(given), what);
   if (!numbers.has_shape(2, {3, 3}))
     throw Error(fmt::format("{}: the linear part is a 3×3 matrix, and what is given has the shape {}", what,
                             shape_text(numbers.shape)));
-  return {{vector_at(numbers.data), vector_at(numbers.data + 3), vector_at(numbers.data + 6)}};
+  return linear_at(numbers.data);
 }
 
 bool is_row(nb::handle given) {
@@ -121,7 +174,13 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
   return shape.size() == 1 ? fmt::format("({},)", shape.front()) : fmt::format("({})", fmt::join(shape, ", "));
 }
 
+void know_arrays() {
+  numpy_array = reinterpret_cast<PyTypeObject*>(nb::object(numpy().attr("ndarray")).release().ptr());
+  array_struct = nb::str("__array_struct__").release().ptr();
+}
+
 Doubles doubles(nb::handle given, std::string_view what) {
+  if (const ToldArray told(given); told.has_doubles()) return {nb::borrow(given), told.data(), told.shape()};
   using Array = nb::ndarray<const double, nb::ro, nb::c_contig, nb::device::cpu>;
   if (Array array; nb::try_cast(given, array, false)) {
     Doubles numbers = in_place(array);
@@ -186,50 +245,75 @@ std::vector<Index> indices_of(nb::handle given, std::size_t columns, std::string
 Pose pose_of(nb::handle given, std::string_view what) {
   if (given.is_none()) return {};
   if (const Pose* pose = nullptr; nb::try_cast(given, pose, false) && pose != nullptr) return *pose;
+  // The usual one first.
+  if (const ToldArray told(given); told.has_doubles() && (told.has_shape(4, 4) || told.has_shape(3, 4)))
+    return pose_of_rows(told.data(), told.has_shape(4, 4) ? 4 : 3, what);
   if (is_pair(given)) return {rotation_of(given[0], what), vector_of(given[1], what)};
   const bool of_scipy = !nb::ndarray_check(given) && tells_a_matrix(given);
-  const Doubles numbers = doubles(of_scipy ? matrix_of(given) : nb::borrow(given), what);
-  if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4})) return pose_in(numbers, 0, what);
+  const Doubles numbers = doubles(of_scipy ? told_matrix(given) : nb::borrow(given), what);
+  if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4}))
+    return pose_of_rows(numbers.data, numbers.rows(), what);
   if (numbers.has_shape(1, {3})) return Pose::translation(vector_at(numbers.data));
   if (of_scipy && numbers.has_shape(2, {3, 3})) return {rotation_of(given, what), {}};
   refuse_pose(what, numbers, "");
 }
 
-Poses poses_of(nb::handle given, std::string_view what) {
-  const auto one = [](const Pose& pose) { return Poses{{pose}, true}; };
-  if (given.is_none() || is_pair(given) || nb::isinstance<Pose>(given)) return one(pose_of(given, what));
-  if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 &&
-      nb::isinstance<Pose>(given[0])) {
-    Poses poses;
-    for (const nb::handle pose : given) {
-      const Pose* known = nullptr;
-      const bool is_pose = nb::try_cast(pose, known, false) && known != nullptr;
-      poses.each.push_back(is_pose ? *known : pose_of(pose, fmt::format("{}, pose {}", what, poses.each.size())));
-    }
-    return poses;
+Pose pose_of_matrix(nb::handle given, std::string_view what) {
+  if (const ToldArray told(given); told.has_doubles() && told.has_shape(4, 4))
+    return pose_of_rows(told.data(), 4, what);
+  if (given.is_none() || nb::isinstance<Pose>(given)) return pose_of(given, what);
+  const Doubles numbers = doubles(given, what);
+  if (!numbers.has_shape(2, {4, 4}))
+    throw Error(fmt::format("{}: a matrix of the shape (4, 4) is needed, and what is given has the shape {}", what,
+                            shape_text(numbers.shape)));
+  return pose_of_rows(numbers.data, 4, what);
+}
+
+Poses::Poses(Doubles numbers, std::string_view what) : numbers_(std::move(numbers)), count_(numbers_.rows()) {
+  numbers_of_each_ = 1;
+  for (std::size_t axis = 1; axis < numbers_.shape.size(); ++axis) numbers_of_each_ *= numbers_.shape[axis];
+  if (numbers_of_each_ != 16) return;
+  for (std::size_t i = 0; i < count_; ++i)
+    if (const double* last = numbers_.data + 16 * i + 12; !is_last_row(last))
+      refuse_last_row(fmt::format("{}, pose {}", what, i), last);
+}
+
+Pose Poses::operator[](std::size_t i) const {
+  if (!listed_.empty()) return listed_[is_single_ ? 0 : i];
+  const double* at = numbers_.data + i * numbers_of_each_;
+  if (numbers_of_each_ == 3) return Pose::translation(vector_at(at));
+  if (numbers_of_each_ == 9) return {linear_at(at), {}};
+  return pose_at(at);
+}
+
+namespace {
+
+Poses poses_of_list(nb::handle given, std::string_view what) {
+  std::vector<Pose> poses;
+  for (const nb::handle pose : given) {
+    const Pose* known = nullptr;
+    const bool is_pose = nb::try_cast(pose, known, false) && known != nullptr;
+    poses.push_back(is_pose ? *known : pose_of(pose, fmt::format("{}, pose {}", what, poses.size())));
   }
+  return Poses(std::move(poses));
+}
+
+}  // namespace
+
+Poses poses_of(nb::handle given, std::string_view what) {
+  if (given.is_none() || is_pair(given) || nb::isinstance<Pose>(given)) return Poses(pose_of(given, what));
+  if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 && nb::isinstance<Pose>(given[0]))
+    return poses_of_list(given, what);
   const bool of_scipy = tells_a_matrix(given);
-  const Doubles numbers = doubles(of_scipy ? matrix_of(given) : nb::borrow(given), what);
+  Doubles numbers = doubles(of_scipy ? told_matrix(given) : nb::borrow(given), what);
   if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4}) || numbers.has_shape(1, {3}) ||
       (of_scipy && numbers.shape.size() == 2))
-    return one(pose_of(given, what));
-  Poses poses;
-  if (numbers.has_shape(1, {0})) return poses;
-  poses.each.reserve(numbers.rows());
+    return Poses(pose_of(given, what));
+  if (numbers.has_shape(1, {0})) return Poses(std::vector<Pose>{});
   const bool rotations = of_scipy && numbers.has_shape(3, {3, 3});
   const bool matrices = numbers.has_shape(3, {4, 4}) || numbers.has_shape(3, {3, 4});
   if (!rotations && !matrices && !numbers.has_shape(2, {3})) refuse_pose(what, numbers, ", or an array of N of these");
-  for (std::size_t i = 0; i < numbers.rows(); ++i) {
-    if (matrices)
-      poses.each.push_back(pose_in(numbers, i, what));
-    else if (rotations)
-      poses.each.push_back({{{vector_at(numbers.data + 9 * i), vector_at(numbers.data + 9 * i + 3),
-                              vector_at(numbers.data + 9 * i + 6)}},
-                            {}});
-    else
-      poses.each.push_back(Pose::translation(vector_at(numbers.data + 3 * i)));
-  }
-  return poses;
+  return Poses(std::move(numbers), what);
 }
 
 Triangle triangle_of(nb::handle given, std::string_view what) {
@@ -290,10 +374,21 @@ Floats array_of(const Vec3& vector) {
   return nb::borrow<Floats>(array_over<double>(std::vector<double>{vector.x, vector.y, vector.z}, {}));
 }
 
+std::array<double, 16> matrix_of(const Pose& pose) {
+  std::array<double, 16> numbers{};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& row = pose.linear[i];
+    const double told[] = {row.x, row.y, row.z, pose.offset[i]};
+    std::ranges::copy(told, numbers.begin() + 4 * i);
+  }
+  numbers[15] = 1;
+  return numbers;
+}
+
 Floats array_of(const Pose& pose) {
-  std::vector<std::array<double, 4>> rows;
-  for (int i = 0; i < 3; ++i) rows.push_back({pose.linear[i].x, pose.linear[i].y, pose.linear[i].z, pose.offset[i]});
-  rows.push_back({0, 0, 0, 1});
+  const std::array<double, 16> numbers = matrix_of(pose);
+  std::vector<std::array<double, 4>> rows(4);
+  for (std::size_t i = 0; i < 4; ++i) std::copy_n(numbers.begin() + 4 * i, 4, rows[i].begin());
   return nb::borrow<Floats>(array_over<double>(std::move(rows), {4}));
 }
 

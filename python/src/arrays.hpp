@@ -94,6 +94,9 @@ using Doubles = NumbersOf<double>;
 /// "(3, 4)"
 [[nodiscard]] std::string shape_text(const std::vector<std::size_t>& shape);
 
+/// Finds what arrays of numpy are known by, once for the module.
+void know_arrays();
+
 /// One vector. Throws Error when there are not three numbers.
 [[nodiscard]] Vec3 vector_of(nb::handle given, std::string_view what);
 
@@ -106,12 +109,28 @@ using Doubles = NumbersOf<double>;
 /// A pose as Python tells it: docs/guide/python.md.
 [[nodiscard]] Pose pose_of(nb::handle given, std::string_view what);
 
-/// Poses, or one for all (`single`).
-struct Poses {
-  std::vector<Pose> each;
-  bool single = false;
+/// The pose of a matrix of 4×4 numbers, or of what says that it is one. Throws Error for any other shape.
+[[nodiscard]] Pose pose_of_matrix(nb::handle given, std::string_view what);
 
-  [[nodiscard]] const Pose& operator[](std::size_t i) const { return single ? each.front() : each[i]; }
+/// Poses, or one for all. Those of an array are read where they lie, each when it is asked for: that needs no lock of
+/// Python, and a million take no memory.
+class Poses {
+ public:
+  explicit Poses(const Pose& for_all) : listed_{for_all}, is_single_(true) {}
+  explicit Poses(std::vector<Pose> listed) : listed_(std::move(listed)), count_(listed_.size()) {}
+  /// Takes matrices (N, 4, 4) or (N, 3, 4), rotations (N, 3, 3), or translations (N, 3). Throws Error where the last
+  /// row of a matrix is not that of a pose.
+  Poses(Doubles numbers, std::string_view what);
+
+  [[nodiscard]] bool is_single() const { return is_single_; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] Pose operator[](std::size_t i) const;
+
+ private:
+  std::vector<Pose> listed_;
+  Doubles numbers_{};
+  std::size_t count_ = 1, numbers_of_each_ = 0;
+  bool is_single_ = false;
 };
 [[nodiscard]] Poses poses_of(nb::handle given, std::string_view what);
 
@@ -136,6 +155,8 @@ struct Poses {
 
 [[nodiscard]] Floats array_of(const Vec3& vector);
 [[nodiscard]] Floats array_of(const Pose& pose);
+/// The numbers of a matrix of the shape (4, 4), row by row.
+[[nodiscard]] std::array<double, 16> matrix_of(const Pose& pose);
 [[nodiscard]] Floats array_of(std::vector<double> numbers);
 [[nodiscard]] nb::tuple tuple_of(const Vec3& vector);
 [[nodiscard]] nb::tuple tuple_of(const std::vector<double>& numbers);

@@ -4,6 +4,7 @@
 #include <toccata/core/status.hpp>
 #include <toccata/core/version.hpp>
 
+#include "arrays.hpp"
 #include "shapes.hpp"
 
 namespace nb = nanobind;
@@ -24,6 +25,7 @@ NB_MODULE(_core, module) {
              "Within the stated bound of the boundary; the safe answer is given.")
       .value("not_converged", toccata::Status::not_converged, "The interval is wider than promised, and still holds.");
   using namespace toccata::python;
+  know_arrays();
   bind_poses(module);
   bind_shapes(module);
   bind_pair_questions(module);

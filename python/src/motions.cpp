@@ -94,10 +94,10 @@ nb::list pieces_of(const HeldMotion& motion) {
 HeldMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayLike& centre) {
   const Doubles numbers = doubles(times, "times");
   const Poses at = poses_of(poses, "poses");
-  if (numbers.shape.size() != 1 || at.single || at.each.size() != numbers.rows())
+  if (numbers.shape.size() != 1 || at.is_single() || at.size() != numbers.rows())
     throw Error("times, poses: as many times as poses are needed, two at least");
   std::vector<MotionKey> keys;
-  for (std::size_t i = 0; i < at.each.size(); ++i) keys.push_back({numbers.data[i], at.each[i]});
+  for (std::size_t i = 0; i < at.size(); ++i) keys.push_back({numbers.data[i], at[i]});
   return RigidMotion::through(keys, vector_of(centre, "centre"));
 }
 

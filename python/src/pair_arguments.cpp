@@ -18,8 +18,8 @@ std::size_t common_count(const Models& a, const Models& b, const Poses& poses_a,
   };
   const Part parts[] = {{"shapes a", a.each.size(), a.single},
                         {"shapes b", b.each.size(), b.single},
-                        {"poses of a", poses_a.each.size(), poses_a.single},
-                        {"poses of b", poses_b.each.size(), poses_b.single}};
+                        {"poses of a", poses_a.size(), poses_a.is_single()},
+                        {"poses of b", poses_b.size(), poses_b.is_single()}};
   const Part* counted = nullptr;
   for (const Part& part : parts) {
     if (part.single) continue;
@@ -44,23 +44,20 @@ PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a
 
 PairsAsked::PairsAsked(const ShapesLike& a, const ShapesLike& b, const PosesLike& poses_a, const PosesLike& poses_b,
                        Solid solid_a, Solid solid_b)
-    : a_(models_of(a, "a")), b_(models_of(b, "b")) {
-  const Poses of_a = poses_of(poses_a, "poses_a"), of_b = poses_of(poses_b, "poses_b");
-  const std::size_t count = common_count(a_, b_, of_a, of_b);
-  const auto query = [&](std::size_t i) {
-    return PairQuery{.pose_a = of_a[i], .pose_b = of_b[i], .solid_a = solid_a, .solid_b = solid_b};
-  };
-  if (a_.single && b_.single) {
-    queries_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) queries_[i] = query(i);
-    return;
-  }
-  pairs_.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) pairs_.push_back({a_[i], b_[i], query(i)});
+    : a_(models_of(a, "a")),
+      b_(models_of(b, "b")),
+      poses_a_(poses_of(poses_a, "poses_a")),
+      poses_b_(poses_of(poses_b, "poses_b")),
+      solid_a_(solid_a),
+      solid_b_(solid_b),
+      count_(common_count(a_, b_, poses_a_, poses_b_)) {
+  if (a_.single && b_.single) return;
+  pairs_.reserve(count_);
+  for (std::size_t i = 0; i < count_; ++i) pairs_.push_back({a_[i], b_[i], query(i)});
 }
 
 Batch<PairQuery> PairsAsked::batch() const {
-  if (a_.single && b_.single) return {a_.each.front(), b_.each.front(), queries_};
+  if (a_.single && b_.single) return {a_.each.front(), b_.each.front(), count_, *this};
   return Batch<PairQuery>(pairs_);
 }
 

@@ -19,7 +19,7 @@ namespace toccata::python {
 [[nodiscard]] PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a, Solid solid_b);
 
 /// What a batch asks about: two shapes at many poses, or pairs of shapes. A shape or a pose of which there is one
-/// stands for all.
+/// stands for all. Poses of arrays stay where they are.
 class PairsAsked {
  public:
   /// Throws Error where the counts differ.
@@ -33,11 +33,17 @@ class PairsAsked {
   /// The models and the query of question i.
   [[nodiscard]] const Model& a(std::size_t i) const { return a_[i]; }
   [[nodiscard]] const Model& b(std::size_t i) const { return b_[i]; }
-  [[nodiscard]] const PairQuery& query(std::size_t i) const { return pairs_.empty() ? queries_[i] : pairs_[i].query; }
+  [[nodiscard]] PairQuery query(std::size_t i) const {
+    return {.pose_a = poses_a_[i], .pose_b = poses_b_[i], .solid_a = solid_a_, .solid_b = solid_b_};
+  }
+  /// The same, as a batch asks for it.
+  PairQuery operator()(std::size_t i) const { return query(i); }
 
  private:
   Models a_, b_;
-  std::vector<PairQuery> queries_;
+  Poses poses_a_, poses_b_;
+  Solid solid_a_, solid_b_;
+  std::size_t count_;
   std::vector<ModelPair> pairs_;  ///< where there are many of one of the shapes
 };
 

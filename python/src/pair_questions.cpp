@@ -115,13 +115,13 @@ overlap, and where it is not defined, as of two half-spaces.)");
         const std::vector<Vec3> ways = vectors_of(motions, "motions");
         const Poses of_a = poses_of(poses_a, "poses_a"), of_b = poses_of(poses_b, "poses_b");
         for (const Poses* poses : {&of_a, &of_b})
-          if (!poses->single && poses->each.size() != ways.size())
+          if (!poses->is_single() && poses->size() != ways.size())
             throw Error(fmt::format("there are {} motions and {} poses; give as many, or one pose", ways.size(),
-                                    poses->each.size()));
-        std::vector<CastQuery> queries(ways.size());
-        for (std::size_t i = 0; i < ways.size(); ++i)
-          queries[i] = {ways[i], {.pose_a = of_a[i], .pose_b = of_b[i], .solid_a = solid_a, .solid_b = solid_b}};
-        const Batch<CastQuery> batch(a.model, b.model, queries);
+                                    poses->size()));
+        const auto query = [&](std::size_t i) {
+          return CastQuery{ways[i], {.pose_a = of_a[i], .pose_b = of_b[i], .solid_a = solid_a, .solid_b = solid_b}};
+        };
+        const Batch<CastQuery> batch(a.model, b.model, ways.size(), query);
         const Interruptible call(threads, is_quick(a.model) && is_quick(b.model));
         return structured(call.ask([&](const BatchOptions& options) { return cast_shape_each(batch, options); }));
       },

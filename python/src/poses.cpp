@@ -38,26 +38,10 @@ nb::tuple pose_state(const Pose& pose) {
                         tuple_of(pose.offset));
 }
 
-}  // namespace
+using BoundPose = nb::class_<Pose>;
 
-void bind_poses(nb::module_& module) {
-  nb::class_<Pose>(module, "Pose", R"(Where a shape is: world = linear @ local + offset.
-
-Pose() is the identity. Pose(given) takes whatever a question takes for a pose: a matrix of 4×4 numbers (its last row
-0 0 0 1) or of 3×4, a pair (R, t), three numbers for a translation, or what has as_matrix(), as scipy's Rotation and
-RigidTransform. Pose(R, t) takes a 3×3 matrix, or a rotation of scipy, and a translation. The numbers are used as given,
-and never corrected: they may scale, shear and mirror, but spheres, capsules, rounded shapes and half-spaces need a
-rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error for what is no pose.)")
-      .def(nb::init<>())
-      .def(
-          "__init__", [](Pose* place, const PoseLike& given) { new (place) Pose(finite(pose_of(given, "the pose"))); },
-          nb::arg("given"))
-      .def(
-          "__init__",
-          [](Pose* place, const PoseLike& linear, const ArrayLike& offset) {
-            new (place) Pose(finite(pose_of(nb::make_tuple(linear, offset), "the pose")));
-          },
-          nb::arg("linear"), nb::arg("offset"))
+void bind_makers_of_poses(BoundPose& bound) {
+  bound
       .def_static(
           "translation", [](double x, double y, double z) { return finite(Pose::translation(x, y, z)); }, nb::arg("x"),
           nb::arg("y"), nb::arg("z"),
@@ -94,7 +78,11 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
           },
           nb::arg("given"),
           "With the rotation that is nearest to the given linear part (N. J. Higham, 1986): what drifted or came from "
-          "floats becomes a pose that every shape accepts. Raises Error where that mirrors or flattens.")
+          "floats becomes a pose that every shape accepts. Raises Error where that mirrors or flattens.");
+}
+
+void bind_parts_of_poses(BoundPose& bound) {
+  bound
       .def_prop_ro(
           "matrix", [](const Pose& pose) { return array_of(pose); }, "A new array of the shape (4, 4).")
       .def_prop_ro(
@@ -114,7 +102,11 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
            "Rounded as "
            "the truth page says (docs/truth.md). Raises Error for other shapes.")
       .def("__mul__", &composed, nb::arg("inner"), nb::is_operator(), "The inner pose first, then this one; rounded.")
-      .def("__matmul__", &composed, nb::arg("inner"), nb::is_operator(), "The same as *.")
+      .def("__matmul__", &composed, nb::arg("inner"), nb::is_operator(), "The same as *.");
+}
+
+void bind_manners_of_poses(BoundPose& bound) {
+  bound
       .def(
           "__eq__",
           [](const Pose& pose, const nb::object& other) {
@@ -134,6 +126,31 @@ rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error fo
       .def("__getstate__", &pose_state)
       .def("__setstate__",
            [](Pose& pose, const nb::tuple& state) { new (&pose) Pose(pose_of(state, "a pickled pose")); });
+}
+
+}  // namespace
+
+void bind_poses(nb::module_& module) {
+  BoundPose bound(module, "Pose", R"(Where a shape is: world = linear @ local + offset.
+
+Pose() is the identity. Pose(given) takes whatever a question takes for a pose: a matrix of 4×4 numbers (its last row
+0 0 0 1) or of 3×4, a pair (R, t), three numbers for a translation, or what has as_matrix(), as scipy's Rotation and
+RigidTransform. Pose(R, t) takes a 3×3 matrix, or a rotation of scipy, and a translation. The numbers are used as given,
+and never corrected: they may scale, shear and mirror, but spheres, capsules, rounded shapes and half-spaces need a
+rotation. Lengths are in the unit of the coordinates. Immutable. Raises Error for what is no pose.)");
+  bound.def(nb::init<>())
+      .def(
+          "__init__", [](Pose* place, const PoseLike& given) { new (place) Pose(finite(pose_of(given, "the pose"))); },
+          nb::arg("given"))
+      .def(
+          "__init__",
+          [](Pose* place, const PoseLike& linear, const ArrayLike& offset) {
+            new (place) Pose(finite(pose_of(nb::make_tuple(linear, offset), "the pose")));
+          },
+          nb::arg("linear"), nb::arg("offset"));
+  bind_makers_of_poses(bound);
+  bind_parts_of_poses(bound);
+  bind_manners_of_poses(bound);
 }
 
 }  // namespace toccata::python

@@ -117,10 +117,10 @@ std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what)
 std::vector<SceneInstance> instances_of(const ShapesLike& shapes, const PosesLike& poses, Solid solid) {
   const Models models = models_of(shapes, "shapes");
   const Poses at = poses_of(poses, "poses");
-  if (!models.single && !at.single && models.each.size() != at.each.size())
+  if (!models.single && !at.is_single() && models.each.size() != at.size())
     throw Error(fmt::format("there are {} shapes and {} poses; give as many, or one of one of them", models.each.size(),
-                            at.each.size()));
-  const std::size_t count = models.single ? at.each.size() : models.each.size();
+                            at.size()));
+  const std::size_t count = models.single ? at.size() : models.each.size();
   std::vector<SceneInstance> instances;
   instances.reserve(count);
   for (std::size_t i = 0; i < count; ++i) instances.push_back({models[i], at[i], solid});
@@ -278,7 +278,7 @@ void bind_clashes(nb::module_& module) {
       .value("undecided", Tolerance::undecided, "Its bracket holds the tolerance, or there is no depth.");
 }
 
-void bind_check(nb::module_& module) {
+void bind_check_answer(nb::module_& module) {
   nb::enum_<DepthEnd>(module, "DepthEnd", nb::is_arithmetic(), "Why the search for a depth ended.")
       .value("precise", DepthEnd::precise)
       .value("exhausted", DepthEnd::exhausted)
@@ -320,6 +320,9 @@ Everything is told in structured arrays; where one has a field pair, that counts
       .def("__repr__", [](const CheckAnswer& answer) {
         return fmt::format("<toccata.CheckAnswer of {} pairs>", answer.pairs.size());
       });
+}
+
+void bind_check_all(nb::module_& module) {
   module.def(
       "check_all",
       [](const ObjectsLike& objects, bool contacts, bool penetration, const nb::object& clearance,
@@ -353,6 +356,9 @@ The objects are shapes, pairs (shape, pose), or SceneInstances. On request the c
 (a, b, length), says others for some. volume asks how much they have in common; overlaps that are certainly no deeper than
 the tolerance are told to be within it. Lengths are in the unit of the coordinates. Which pairs is exact. On all cores,
 without the lock; Ctrl-C ends it. Raises Error naming the object that is asked about wrongly.)");
+}
+
+void bind_self_contacts_each(nb::module_& module) {
   module.def(
       "self_contacts_each",
       [](const ObjectsLike& objects, int threads) {
@@ -373,7 +379,9 @@ void bind_scenes(nb::module_& module) {
   bind_instance(module);
   bind_index(module);
   bind_clashes(module);
-  bind_check(module);
+  bind_check_answer(module);
+  bind_check_all(module);
+  bind_self_contacts_each(module);
 }
 
 }  // namespace toccata::python

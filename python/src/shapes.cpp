@@ -247,30 +247,10 @@ Mesh generated(const std::string& name, const nb::kwargs& parameters) {
   return {{without_lock([&] { return Model(generate_mesh(name, given)); })}};
 }
 
-void bind_mesh(nb::module_& module) {
-  nb::class_<Mesh, AnyShape>(module, "Mesh", R"(A triangle mesh: solid when it is closed, else a surface.
+using BoundMesh = nb::class_<Mesh, AnyShape>;
 
-Mesh(vertices, faces) copies an array (N, 3) of real numbers, in any unit, and an array (M, 3) of whole numbers counted
-from 0, and builds a tree over the triangles. `face_of_triangle`, shape (M,) and ascending, says to which face of a file
-each triangle belongs, for the answers; left out, every triangle is a face. Mesh(mesh) takes what has `vertices` and
-`faces`, as a trimesh.Trimesh. Nothing is merged or repaired. Raises Error naming the element when a coordinate is not
-finite, an index out of range, or there is no triangle.)")
-      .def(
-          "__init__",
-          [](Mesh* place, const ArrayLike& vertices, const ArrayLike& faces, const nb::object& face_of_triangle) {
-            make_mesh(place, vertices, faces, face_of_triangle);
-          },
-          nb::arg("vertices"), nb::arg("faces"), nb::arg("face_of_triangle") = nb::none(),
-          nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, faces: numpy.typing.ArrayLike, "
-                  "face_of_triangle: numpy.typing.ArrayLike | None = None) -> None"))
-      .def(
-          "__init__",
-          [](Mesh* place, const nb::object& mesh) {
-            if (!nb::hasattr(mesh, "vertices") || !nb::hasattr(mesh, "faces"))
-              throw Error("a mesh is made of vertices and faces, or of an object that has both");
-            make_mesh(place, mesh.attr("vertices"), mesh.attr("faces"), nb::none());
-          },
-          nb::arg("mesh"), nb::sig("def __init__(self, mesh: toccata._typing.HasVerticesAndFaces) -> None"))
+void bind_arrays_of_meshes(BoundMesh& bound) {
+  bound
       .def_prop_ro(
           "vertices", [](const Mesh& mesh) { return nb::borrow<Floats>(vertices_of(shape_of<MeshPointer>(mesh))); },
           "Shape (N, 3): its own memory, which cannot be written to. Stays as it is when the mesh is updated.")
@@ -294,7 +274,11 @@ finite, an index out of range, or there is no triangle.)")
             const Aabb& box = mesh.model.bounds();
             return nb::borrow<Floats>(array_over<double>(std::vector<Vec3>{box.lower, box.upper}, {3}));
           },
-          "The least and the greatest corner of the box around all vertices, shape (2, 3).")
+          "The least and the greatest corner of the box around all vertices, shape (2, 3).");
+}
+
+void bind_manners_of_meshes(BoundMesh& bound) {
+  bound
       .def(
           "health", [](const Mesh& mesh) { return inspect(mesh.model.mesh()); },
           "What the mesh is: holes, flipped faces, triangles without area. Repairs nothing.")
@@ -321,6 +305,9 @@ finite, an index out of range, or there is no triangle.)")
            })
       .def("__reduce__", [](const Mesh& mesh) { return nb::make_tuple(nb::type<Mesh>(), mesh_arguments(mesh)); })
       .attr("__hash__") = nb::none();
+}
+
+void bind_found_meshes(nb::module_& module) {
   module.def(
       "load_mesh", &mesh_of_file, nb::arg("path"),
       "Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, in the unit of the file, "
@@ -331,6 +318,36 @@ finite, an index out of range, or there is no triangle.)")
       "(docs/guide/generated-meshes.md), tube_radius for tube-radius: the same bits everywhere. Raises Error for an "
       "unknown name.",
       nb::sig("def generate_mesh(name: str, **parameters: float) -> Mesh"));
+}
+
+void bind_mesh(nb::module_& module) {
+  BoundMesh bound(module, "Mesh", R"(A triangle mesh: solid when it is closed, else a surface.
+
+Mesh(vertices, faces) copies an array (N, 3) of real numbers, in any unit, and an array (M, 3) of whole numbers counted
+from 0, and builds a tree over the triangles. `face_of_triangle`, shape (M,) and ascending, says to which face of a file
+each triangle belongs, for the answers; left out, every triangle is a face. Mesh(mesh) takes what has `vertices` and
+`faces`, as a trimesh.Trimesh. Nothing is merged or repaired. Raises Error naming the element when a coordinate is not
+finite, an index out of range, or there is no triangle.)");
+  bound
+      .def(
+          "__init__",
+          [](Mesh* place, const ArrayLike& vertices, const ArrayLike& faces, const nb::object& face_of_triangle) {
+            make_mesh(place, vertices, faces, face_of_triangle);
+          },
+          nb::arg("vertices"), nb::arg("faces"), nb::arg("face_of_triangle") = nb::none(),
+          nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, faces: numpy.typing.ArrayLike, "
+                  "face_of_triangle: numpy.typing.ArrayLike | None = None) -> None"))
+      .def(
+          "__init__",
+          [](Mesh* place, const nb::object& mesh) {
+            if (!nb::hasattr(mesh, "vertices") || !nb::hasattr(mesh, "faces"))
+              throw Error("a mesh is made of vertices and faces, or of an object that has both");
+            make_mesh(place, mesh.attr("vertices"), mesh.attr("faces"), nb::none());
+          },
+          nb::arg("mesh"), nb::sig("def __init__(self, mesh: toccata._typing.HasVerticesAndFaces) -> None"));
+  bind_arrays_of_meshes(bound);
+  bind_manners_of_meshes(bound);
+  bind_found_meshes(module);
 }
 
 // Shapes made of others.

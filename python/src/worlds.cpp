@@ -3,7 +3,9 @@
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include <toccata/query/overlap.hpp>
 #include <toccata/world/world.hpp>
 #include <toccata/world/world_queries.hpp>
 
 #include "characters.hpp"
 #include "motions.hpp"
 #include "object_questions.hpp"
+#include "world_overlap.hpp"
 
 namespace toccata::python {
 
@@ -88,6 +90,14 @@ class HeldWorld {
     return use(world_);
   }
 
+  /// `use(world)`, of what takes less time than to give the interpreter's lock away: that is done only where another
+  /// thread has the world.
+  template <class Use>
+  auto briefly(const Use& use) const {
+    if (const std::unique_lock guard(*mutex_, std::try_to_lock); guard.owns_lock()) return use(world_);
+    return with(use);
+  }
+
   /// `ask(queries)`, of who has given the interpreter's lock away.
   template <class Ask>
   auto ask(const Ask& ask) const {
@@ -103,22 +113,16 @@ class HeldWorld {
   mutable std::optional<WorldQueries> queries_{};
 };
 
-/// Stops at the first two that it finds.
-bool any_overlap(const ObjectQueries<WorldBodies>& queries) {
-  Workspace workspace;
-  const BoxBvh& boxes = queries.boxes();
-  bool found = false;
-  for (Index i = 0; i < boxes.size() && !found; ++i) {
-    if (is_empty(boxes.box(i))) continue;
-    const InstanceView a = queries.objects().at(i);
-    boxes.visit_overlapping(boxes.box(i), [&](Index j) {
-      if (j <= i) return true;
-      const InstanceView b = queries.objects().at(j);
-      found = overlap(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
-      return !found;
-    });
-  }
-  return found;
+/// Up to so many bodies are asked one against the others without a tree. Of ten thousand at random places both ways
+/// take about as long; of few, the tree takes several times as long.
+constexpr std::size_t few_bodies = 2000;
+
+bool any_overlap_in(const HeldWorld& held) {
+  const auto of_few = held.with([](const World& world) -> std::optional<bool> {
+    if (world.size() > few_bodies) return {};
+    return any_overlap_of_few(world);
+  });
+  return of_few ? *of_few : without_lock([&] { return held.ask(&any_overlap); });
 }
 
 /// Which bodies are asked.
@@ -343,15 +347,17 @@ pose; the rest is looked at by World.add.)")
           "it; and none of except_bodies.");
 }
 
+/// As many as bodies.
 std::vector<Pose> poses_for(const std::vector<BodyId>& ids, const PosesLike& poses) {
   const Poses given = poses_of(poses, "poses");
-  if (given.single) return std::vector<Pose>(ids.size(), given.each.front());
-  return given.each;
+  std::vector<Pose> at(given.is_single() ? ids.size() : given.size());
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = given[i];
+  return at;
 }
 
 using BoundWorld = nb::class_<HeldWorld>;
 
-void bind_bodies_of_world(BoundWorld& bound) {
+void bind_adding(BoundWorld& bound) {
   bound
       .def(
           "add",
@@ -398,6 +404,18 @@ void bind_bodies_of_world(BoundWorld& bound) {
           },
           nb::arg("bodies"), "Removes bodies, with their rules. Raises Error naming an id that is of no body here.")
       .def(
+          "replace",
+          [](const HeldWorld& held, const BodyId& id, const Body& body) {
+            held.with([&, copy = body](World& world) { world.replace(id, copy); });
+          },
+          nb::arg("id"), nb::arg("body"),
+          "Makes a body into another one, all of it; its id and rules stay. Raises Error like "
+          "add, and naming an id that is of no body here.");
+}
+
+void bind_moving(BoundWorld& bound) {
+  bound
+      .def(
           "move",
           [](const HeldWorld& held, const BodiesLike& bodies, const PosesLike& poses) {
             const std::vector<BodyId> ids = bodies_of(bodies, "bodies");
@@ -408,6 +426,16 @@ void bind_bodies_of_world(BoundWorld& bound) {
           "Gives bodies other poses in the world, however far: as many poses as bodies, or one. Raises Error as add "
           "does, and "
           "naming an id that is of no body here.")
+      .def(
+          "place",
+          [](const HeldWorld& held, const BodyId& body, const PoseLike& matrix) {
+            const Pose pose = pose_of_matrix(matrix, "matrix");
+            held.briefly([&](World& world) { world.move(body, pose); });
+          },
+          nb::arg("body"), nb::arg("matrix").none(),
+          "move of one body to a pose that is told as a matrix, shape (4, 4): the quickest way for who moves them one "
+          "by "
+          "one. Raises Error like move, and for another shape.")
       .def(
           "move_along",
           [](const HeldWorld& held, const BodiesLike& bodies, const nb::object& motions) {
@@ -420,15 +448,11 @@ void bind_bodies_of_world(BoundWorld& bound) {
                   "collections.abc.Sequence[RigidMotion]) -> None"),
           "Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the "
           "way: nothing tunnels. A body goes from where its motion begins, wherever it was before: what lies between "
-          "these two is passed over. Raises Error like move.")
-      .def(
-          "replace",
-          [](const HeldWorld& held, const BodyId& id, const Body& body) {
-            held.with([&, copy = body](World& world) { world.replace(id, copy); });
-          },
-          nb::arg("id"), nb::arg("body"),
-          "Makes a body into another one, all of it; its id and rules stay. Raises Error like "
-          "add, and naming an id that is of no body here.")
+          "these two is passed over. Raises Error like move.");
+}
+
+void bind_rules(BoundWorld& bound) {
+  bound
       .def(
           "set_rule",
           [](const HeldWorld& held, const BodyId& a, const BodyId& b, bool excluded, std::optional<double> margin) {
@@ -458,13 +482,22 @@ nb::object pair_told(const std::optional<BodyPair>& pair) {
   return pair ? nb::object(nb::make_tuple(pair->a, pair->b)) : nb::none();
 }
 
-void bind_state_of_world(BoundWorld& bound) {
+void bind_pair_questions_of_world(BoundWorld& bound) {
   bound
       .def(
           "step", [](const HeldWorld& held) { return held.with(&step_of); },
           "Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.")
+      .def_prop_ro(
+          "pairs",
+          [](const HeldWorld& held) {
+            return held.with([](const World& world) {
+              const auto pairs = world.pairs();
+              return HeldPairs{{pairs.begin(), pairs.end()}};
+            });
+          },
+          "All pairs of the last step.")
       .def(
-          "any_overlap", [](const HeldWorld& held) { return without_lock([&] { return held.ask(&any_overlap); }); },
+          "any_overlap", &any_overlap_in,
           "Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and "
           "rules. Exact; needs no step, and stops at the first two that it finds.")
       .def(
@@ -501,17 +534,21 @@ void bind_state_of_world(BoundWorld& bound) {
                   "None"),
           "The nearest two of the bodies that make pairs, and their distance as of A and B in this order, in the unit "
           "of the "
-          "coordinates; None where none is within the greatest distance. Raises Error for one that is no length.")
-      .def_prop_ro(
-          "pairs",
-          [](const HeldWorld& held) {
-            return held.with([](const World& world) {
-              const auto pairs = world.pairs();
-              return HeldPairs{{pairs.begin(), pairs.end()}};
-            });
-          },
-          "All pairs of the last step.")
-      .def("__len__", [](const HeldWorld& held) { return held.with([](const World& w) { return w.size(); }); })
+          "coordinates; None where none is within the greatest distance. Raises Error for one that is no length.");
+}
+
+using Matrix = std::array<double, 16>;
+
+std::vector<Matrix> matrices_of(const World& world) {
+  Matrix nowhere;
+  nowhere.fill(std::numeric_limits<double>::quiet_NaN());
+  std::vector<Matrix> matrices(world.boxes().size(), nowhere);
+  for (const BodyId id : world.bodies()) matrices[id.index] = matrix_of(world.body(id).pose);
+  return matrices;
+}
+
+void bind_listing(BoundWorld& bound) {
+  bound.def("__len__", [](const HeldWorld& held) { return held.with([](const World& w) { return w.size(); }); })
       .def_prop_ro(
           "bodies",
           [](const HeldWorld& held) { return structured(held.with([](const World& w) { return w.bodies(); })); },
@@ -543,6 +580,18 @@ void bind_state_of_world(BoundWorld& bound) {
           "By index, the boxes around all bodies without their margins, shape (N, 2, 3): a new array. Where no body "
           "has "
           "that index, the lower corner is +inf and the upper one -inf.")
+      .def_prop_ro(
+          "poses",
+          [](const HeldWorld& held) {
+            return nb::borrow<Floats>(array_over<double>(held.with(&matrices_of), {4, 4}));
+          },
+          "By index, where the bodies are in the world, shape (N, 4, 4): a new array. Where no body has that index, "
+          "all "
+          "numbers are NaN.");
+}
+
+void bind_copying(BoundWorld& bound) {
+  bound
       .def(
           "__copy__",
           [](const HeldWorld& held) { return HeldWorld(held.with([](const World& world) { return World(world); })); },
@@ -585,8 +634,12 @@ may be used from many threads, one after the other. Raises Error for a broad pha
       nb::kw_only(), nb::arg("relation") = false, nb::arg("distance") = false, nb::arg("contacts") = false,
       nb::arg("manifold") = false, nb::arg("penetration") = false, nb::arg("kinematic_pairs") = true,
       nb::arg("space_time") = false, nb::arg("broad_phase") = "auto", nb::arg("threads") = own_thread);
-  bind_bodies_of_world(bound);
-  bind_state_of_world(bound);
+  bind_adding(bound);
+  bind_moving(bound);
+  bind_rules(bound);
+  bind_pair_questions_of_world(bound);
+  bind_listing(bound);
+  bind_copying(bound);
   ObjectQuestions<WorldBodies, HeldWorld>(bound).bind();
   CharacterQuestions<WorldBodies, HeldWorld>(module, bound, "Body").bind();
 }

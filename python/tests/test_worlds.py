@@ -92,6 +92,78 @@ def world_id(world: toccata.World, index: int) -> toccata.BodyId:
     return world.nearest(toccata.Point(centre)).body
 
 
+def test_a_body_is_placed_by_a_matrix_as_it_is_moved(knot):
+    placed, moved = toccata.World(), toccata.World()
+    shapes, start, poses = [BOX, BALL, knot], matrices(6, 3, 1), matrices(6, 3, 2)
+    ids = [[world.add(shapes[i % 3], start[i]) for i in range(6)] for world in (placed, moved)]
+    assert numpy.array_equal(placed.poses, start)
+    for i, pose in enumerate(poses):
+        placed.place(ids[0][i], (pose, pose.tolist(), numpy.asfortranarray(pose), toccata.Pose(pose))[i % 4])
+        moved.move(ids[1][i], pose)
+    assert numpy.array_equal(placed.poses, poses) and numpy.array_equal(placed.boxes, moved.boxes)
+    assert pairs_of(placed.step().begin) == pairs_of(moved.step().begin)
+    placed.place(ids[0][0], None)
+    assert placed[ids[0][0]].pose == toccata.Pose()
+    placed.remove(ids[0][2])
+    assert numpy.isnan(placed.poses[2]).all() and not numpy.isnan(placed.poses[3]).any()
+
+
+def test_what_a_body_may_not_have_leaves_it_where_it_is():
+    world, elsewhere = toccata.World(), toccata.World()
+    ball, stranger = world.add(BALL, (1, 2, 3)), elsewhere.add(BALL)
+    twice, nowhere, projection = 2 * numpy.eye(4), numpy.full((4, 4), numpy.nan), numpy.ones((4, 4))
+    twice[3, 3] = 1
+    for matrix in (nowhere, projection, twice, numpy.eye(3), numpy.eye(4)[:3], numpy.tile(numpy.eye(4), (1, 1, 1)), (1, 2, 3), "no", numpy.eye(4) * 1j):
+        with pytest.raises(toccata.Error):
+            world.place(ball, matrix)
+    with pytest.raises(toccata.Error, match="of another World"):
+        world.place(stranger, numpy.eye(4))
+    assert world[ball].pose == toccata.Pose((1, 2, 3))
+
+
+@pytest.mark.parametrize("count", [3, 200, 2500])
+def test_whether_any_overlap_is_told_of_few_and_of_many(count):
+    """With a tree around them and without; of boxes that have no end, too."""
+    rng = numpy.random.default_rng(count)
+    cells = numpy.stack(numpy.unravel_index(rng.permutation(16**3)[:count], (16, 16, 16)), axis=1)
+    world = toccata.World()
+    ids = world.add_each(toccata.Sphere(0.49), cells.astype(float))
+    assert not world.any_overlap()
+    for body in rng.integers(count, size=5):
+        world.move(ids[body : body + 1], cells[body - 1] + [0.0, 0.0, 0.5])
+        assert world.any_overlap()
+        world.move(ids[body : body + 1], cells[body].astype(float))
+        assert not world.any_overlap()
+    ground = world.add(toccata.HalfSpace((0, 0, -1), (0, 0, 1)))
+    assert not world.any_overlap()
+    world.move(ground, (0, 0, 0.6))
+    assert world.any_overlap()
+    world.remove(world.bodies)
+    assert not world.any_overlap()
+
+
+def test_bodies_are_placed_while_another_thread_asks(knot):
+    world = toccata.World()
+    ids = [world.add(knot, (10.0 * i, 0, 0)) for i in range(4)]
+    stop = threading.Event()
+    errors: list = []
+
+    def ask():
+        try:
+            while not stop.is_set():
+                assert len(world.step().begin) + len(world.poses) + world.any_overlap() >= 4
+        except BaseException as error:
+            errors.append(error)
+
+    asking = threading.Thread(target=ask)
+    asking.start()
+    for i in range(400 if SLICE else 4000):
+        world.place(ids[i % 4], toccata.Pose((10.0 * (i % 4), i % 3, 0)).matrix)
+    stop.set()
+    asking.join()
+    assert not errors
+
+
 def test_snapshots_go_their_own_way():
     world = toccata.World()
     ids = world.add_each(BOX, [[0, 0, 0], [5, 0, 0]])

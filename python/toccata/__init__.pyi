@@ -2618,19 +2618,24 @@ class World:
         Removes bodies, with their rules. Raises Error naming an id that is of no body here.
         """
 
+    def replace(self, id: BodyId, body: Body) -> None:
+        """
+        Makes a body into another one, all of it; its id and rules stay. Raises Error like add, and naming an id that is of no body here.
+        """
+
     def move(self, bodies: toccata._typing.BodiesLike, poses: toccata._typing.PosesLike) -> None:
         """
         Gives bodies other poses in the world, however far: as many poses as bodies, or one. Raises Error as add does, and naming an id that is of no body here.
         """
 
+    def place(self, body: BodyId, matrix: toccata._typing.PoseLike | None) -> None:
+        """
+        move of one body to a pose that is told as a matrix, shape (4, 4): the quickest way for who moves them one by one. Raises Error like move, and for another shape.
+        """
+
     def move_along(self, bodies: toccata._typing.BodiesLike, motions: RigidMotion | Sequence[RigidMotion]) -> None:
         """
         Lets bodies go along motions in the time of the next step, which also finds every pair that meets on the way: nothing tunnels. A body goes from where its motion begins, wherever it was before: what lies between these two is passed over. Raises Error like move.
-        """
-
-    def replace(self, id: BodyId, body: Body) -> None:
-        """
-        Makes a body into another one, all of it; its id and rules stay. Raises Error like add, and naming an id that is of no body here.
         """
 
     def set_rule(self, a: BodyId, b: BodyId, *, excluded: bool = False, margin: float | None = None) -> None:
@@ -2647,6 +2652,10 @@ class World:
         """
         Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.
         """
+
+    @property
+    def pairs(self) -> WorldPairs:
+        """All pairs of the last step."""
 
     def any_overlap(self) -> bool:
         """
@@ -2668,10 +2677,6 @@ class World:
         The nearest two of the bodies that make pairs, and their distance as of A and B in this order, in the unit of the coordinates; None where none is within the greatest distance. Raises Error for one that is no length.
         """
 
-    @property
-    def pairs(self) -> WorldPairs:
-        """All pairs of the last step."""
-
     def __len__(self) -> int: ...
 
     @property
@@ -2687,6 +2692,12 @@ class World:
     def boxes(self) -> toccata._typing.Floats:
         """
         By index, the boxes around all bodies without their margins, shape (N, 2, 3): a new array. Where no body has that index, the lower corner is +inf and the upper one -inf.
+        """
+
+    @property
+    def poses(self) -> toccata._typing.Floats:
+        """
+        By index, where the bodies are in the world, shape (N, 4, 4): a new array. Where no body has that index, all numbers are NaN.
         """
 
     def __copy__(self) -> World:

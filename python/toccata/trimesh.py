@@ -82,10 +82,6 @@ class _Part:
 
     def __init__(self, name: Name, shape: toccata.Shape, pose: toccata.Pose) -> None:
         self.name, self.shape, self.pose = name, shape, pose
-        self.body: toccata.BodyId | None = None
-
-    def instance(self, group: str) -> toccata.SceneInstance:
-        return toccata.SceneInstance(self.shape, self.pose, group=group)
 
 
 class CollisionManager:
@@ -96,52 +92,48 @@ class CollisionManager:
     """
 
     def __init__(self) -> None:
-        self._parts: dict[Name, _Part] = {}
-        self._world = toccata.World()
+        self._world = toccata.World()  # which alone knows where they are
+        self._bodies: dict[Name, toccata.BodyId] = {}
+        self._shapes: dict[Name, toccata.Shape] = {}
         self._names: dict[int, Name] = {}  # by the index of the body
-        self._moved: dict[Name, _Part] = {}  # since the world was told
 
     def add_object(self, name: Name, mesh: Any, transform: Any = None) -> toccata.BodyId:
         """Adds a mesh under a name, in place of one that had it. The transform is (4, 4); None: the identity."""
-        part = _Part(name, shape_of(mesh), _pose_of(transform))
-        if name in self._parts:
+        shape, pose = shape_of(mesh), _pose_of(transform)
+        if name in self._bodies:
             self.remove_object(name)
-        part.body = self._world.add(part.shape, part.pose)
-        self._parts[name] = part
-        self._names[part.body.index] = name
-        return part.body
+        body = self._world.add(shape, pose)
+        self._bodies[name], self._shapes[name], self._names[body.index] = body, shape, name
+        return body
 
     def remove_object(self, name: Name) -> None:
         """Raises ValueError when there is none of that name."""
-        part = self._part(name)
-        assert part.body is not None
-        self._world.remove(part.body)
-        del self._parts[name], self._names[part.body.index]
-        self._moved.pop(name, None)
+        body = self._body(name)
+        self._world.remove(body)
+        del self._bodies[name], self._shapes[name], self._names[body.index]
 
     def set_transform(self, name: Name, transform: Any) -> None:
         """Raises ValueError when there is none of that name, and for what is no transform."""
-        part = self._parts.get(name)
-        if part is None:
+        body = self._bodies.get(name)
+        if body is None:
             raise ValueError(f"{name} not in collision manager!")
-        part.pose = _pose_of(transform)
-        self._moved[name] = part
+        self._world.place(body, transform)
 
     def in_collision_single(
         self, mesh: Any, transform: Any = None, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """Whether a mesh meets any; with return_names also the set of their names, with return_data the contacts."""
         part = _Part(EXTERNAL, shape_of(mesh), _pose_of(transform))
-        found = [self._names[index] for index in self._current().overlapping(part.shape, part.pose)["index"].tolist()]
-        contacts = lambda: _contacts([self._parts[name] for name in found], [part])  # noqa: E731
+        found = [self._names[index] for index in self._world.overlapping(part.shape, part.pose)["index"].tolist()]
+        contacts = lambda: _contacts([self._part(name) for name in found], [part])  # noqa: E731
         return _told(bool(found), set(found), contacts, return_names, return_data)
 
     def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
         """Whether any two meet; with return_names also the set of sorted pairs of names, with return_data the contacts."""
         if not (return_names or return_data):
-            return self._current().any_overlap()
+            return self._world.any_overlap()
         pairs = self._colliding()
-        contacts = lambda: [c for a, b in pairs for c in _contacts([self._parts[a]], [self._parts[b]])]  # noqa: E731
+        contacts = lambda: [c for a, b in pairs for c in _contacts([self._part(a)], [self._part(b)])]  # noqa: E731
         return _told(bool(pairs), {_sorted(pair) for pair in pairs}, contacts, return_names, return_data)
 
     def in_collision_other(
@@ -150,7 +142,7 @@ class CollisionManager:
         """Whether any meets any of another manager; pairs of names have this one's first."""
         pairs = self._colliding_with(other_manager)
         contacts = lambda: [  # noqa: E731
-            c for a, b in pairs for c in _contacts([self._parts[a]], [other_manager._parts[b]])
+            c for a, b in pairs for c in _contacts([self._part(a)], [other_manager._part(b)])
         ]
         return _told(bool(pairs), set(pairs), contacts, return_names, return_data)
 
@@ -165,7 +157,7 @@ class CollisionManager:
         self, name: Name | None = None, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """How far the nearest two are apart; with a name, that one from the nearest of the others."""
-        nearest = self._nearest_within(list(self._parts.values()) if name is None else [self._part(name)], name is None)
+        nearest = self._nearest_within(list(self._bodies) if name is None else [name], name is None)
         names = None if nearest.names == (None, None) else _sorted(nearest.names)
         return _told_distance(nearest, names, return_names, return_data)
 
@@ -173,70 +165,64 @@ class CollisionManager:
         self, other_manager: CollisionManager, return_names: bool = False, return_data: bool = False
     ) -> Any:
         """How far the nearest two are apart of which one is of another manager; names have this one's first."""
-        nearest = self._nearest_to(other_manager._parts.values())
+        nearest = self._nearest_to(other_manager._part(name) for name in other_manager._bodies)
         names = None if nearest.names == (None, None) else nearest.names
         return _told_distance(nearest, names, return_names, return_data)
 
-    def _part(self, name: Name) -> _Part:
-        if name not in self._parts:
+    def _body(self, name: Name) -> toccata.BodyId:
+        body = self._bodies.get(name)
+        if body is None:
             raise ValueError(f"{name} not in collision manager!")
-        return self._parts[name]
+        return body
 
-    def _current(self) -> toccata.World:
-        """The world, with everything where it is now."""
-        if self._moved:
-            moved = list(self._moved.values())
-            self._world.move([p.body for p in moved if p.body is not None], [p.pose for p in moved])
-            self._moved.clear()
-        return self._world
+    def _part(self, name: Name) -> _Part:
+        return _Part(name, self._shapes[name], self._world[self._bodies[name]].pose)
 
     def _colliding(self) -> list[tuple[Name, Name]]:
-        self._current().step()
+        self._world.step()
         pairs = self._world.pairs.pairs
         names = self._names
         return [(names[a], names[b]) for a, b in zip(pairs["a"]["index"].tolist(), pairs["b"]["index"].tolist())]
 
     def _colliding_with(self, other: CollisionManager) -> list[tuple[Name, Name]]:
-        others = list(other._parts.values())
-        if not others or not self._parts:
+        names = list(other._bodies)
+        if not names or not self._bodies:
             return []
-        rows = self._current().overlapping_each([p.shape for p in others], [p.pose for p in others])
+        poses = other._world.poses[[body.index for body in other._bodies.values()]]
+        rows = self._world.overlapping_each(list(other._shapes.values()), poses)
         bodies = rows["body"]["index"].tolist()
-        return [(self._names[body], others[i].name) for i, body in zip(rows["query"].tolist(), bodies)]
+        return [(self._names[body], names[i]) for i, body in zip(rows["query"].tolist(), bodies)]
 
     def _nearest_to(self, others: Iterable[_Part]) -> _Nearest:
         """Of all pairs of one that is here and one of the others: the deepest, or the nearest."""
         best = _Nearest()
-        world = self._current()
         for other in others:
-            best = self._nearer(best, other, world, None)
+            best = self._nearer(best, other, None)
         return best
 
-    def _nearest_within(self, parts: list[_Part], each_pair_once: bool) -> _Nearest:
+    def _nearest_within(self, names: list[Name], each_pair_once: bool) -> _Nearest:
         best = _Nearest()
-        world = self._current()
         done: list[toccata.BodyId] = []
-        for part in parts:
-            assert part.body is not None
-            done.append(part.body)
-            best = self._nearer(best, part, world, toccata.BodyFilter(except_bodies=done))
+        for name in names:
+            done.append(self._body(name))
+            best = self._nearer(best, self._part(name), toccata.BodyFilter(except_bodies=done))
             if not each_pair_once:
                 done.clear()
         return best
 
-    def _nearer(self, best: _Nearest, other: _Part, world: toccata.World, only: toccata.BodyFilter | None) -> _Nearest:
-        overlapping = world.overlapping(other.shape, other.pose, only=only)["index"].tolist()
+    def _nearer(self, best: _Nearest, other: _Part, only: toccata.BodyFilter | None) -> _Nearest:
+        overlapping = self._world.overlapping(other.shape, other.pose, only=only)["index"].tolist()
         for index in overlapping:
-            found = _deep(self._parts[self._names[index]], other)
+            found = _deep(self._part(self._names[index]), other)
             if found.distance < best.distance:
                 best = found
         if overlapping or best.distance <= 0:
             return best
-        near = world.nearest(other.shape, other.pose, best.distance, only=only)
+        near = self._world.nearest(other.shape, other.pose, best.distance, only=only)
         if near is None or near.upper >= best.distance:
             return best
-        part = self._parts[self._names[near.body.index]]
-        return _Nearest(near.upper, (part.name, other.name), (near.on_b, near.on_a), (near.face_b, near.face_a))
+        name = self._names[near.body.index]
+        return _Nearest(near.upper, (name, other.name), (near.on_b, near.on_a), (near.face_b, near.face_a))
 
 
 class _Nearest:

@@ -30,7 +30,8 @@ ContactCount count_of(std::span<const Contact> contacts, std::vector<std::pair<I
 template <class Query, class Ask>
 auto ask_pairs(const Batch<Query>& batch, const BatchOptions& options, const Ask& ask) {
   return ask_each(batch.size(), batch.noun(), options, [&](std::size_t i, Workspace& workspace) {
-    return ask(batch.a(i), batch.b(i), batch.query(i), workspace);
+    return batch.asked(i,
+                       [&](const Model& a, const Model& b, const Query& query) { return ask(a, b, query, workspace); });
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -10,6 +11,7 @@
 #include "math/constants.hpp"
 #include "math/world_vertex.hpp"
 #include "narrow/pose_checks.hpp"
+#include "query/meshes/posed_mesh.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/core/error.hpp"
 
@@ -76,17 +78,23 @@ struct FastBox {
     return world;
   }
 
+  std::optional<Aabb> operator()(const std::shared_ptr<const TriangleMesh>&) const {
+    if (body.solid == Solid::all && !body.model.closed()) return {};
+    return rigid_world_box(body.model, pose);
+  }
+
   template <class Other>
   std::optional<Aabb> operator()(const Other&) const {
     return {};
   }
 
+  const Body& body;
   const Pose& pose;
 };
 
 Aabb posed_box(const Body& body, const Pose& pose, std::string_view who) {
   if (is_surely_rigid(pose.linear) && is_surely_finite(pose.offset))
-    if (const std::optional<Aabb> box = std::visit(FastBox{pose}, body.model.shape())) return *box;
+    if (const std::optional<Aabb> box = std::visit(FastBox{body, pose}, body.model.shape())) return *box;
   if (std::holds_alternative<Compound>(body.model.shape()))
     return world_box(pose_model(body.model, pose, body.solid, who));
   return world_box(pose_shape(body.model, pose, body.solid, who));

@@ -93,6 +93,28 @@ TEST(Batch, AnErrorNamesTheLeastQueryThatIsWrong) {
   }
 }
 
+TEST(Batch, QueriesAreMadeWhenTheirTurnComes) {
+  const Model a = soup(1), b = soup(2);
+  std::vector<PairQuery> queries = random_queries(3, 60);
+  std::vector<std::atomic<int>> made(queries.size());
+  const auto make = [&](std::size_t i) {
+    ++made[i];
+    return queries[i];
+  };
+  for (const int threads : {1, 4}) {
+    const Batch<PairQuery> batch(a, b, queries.size(), make);
+    EXPECT_EQ(overlap_each(batch, {.threads = threads}), overlap_each({a, b, queries}));
+    for (auto& times : made) EXPECT_EQ(times.exchange(0), 1);
+  }
+  queries[7].pose_b.offset.x = std::numeric_limits<double>::infinity();
+  try {
+    (void)overlap_each(Batch<PairQuery>(a, b, queries.size(), make));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 17), "query 7: model b:");
+  }
+}
+
 TEST(Batch, ProgressIsToldAndMayCancel) {
   const Model a = soup(1);
   const std::vector<PairQuery> queries = random_queries(5, 30);

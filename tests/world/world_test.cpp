@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "query/meshes/posed_mesh.hpp"
+#include "support/mesh_soups.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/pose.hpp"
@@ -415,6 +417,22 @@ TEST(World, BitsAreTheSameAtEverySimdLevel) {
       EXPECT_EQ(one[i].details->manifold, found[0][i].details->manifold);
     }
   }
+}
+
+TEST(World, BoxesOfMeshesAreThoseOfThePosedMeshes) {
+  Random random(7);
+  const Model closed(test::box_between({-1, 0, 0.5}, {2, 3, 1})), open(test::random_soup(random, 20, 0.5, 8));
+  const Model huge(test::box_between({-1e305, 0, 0}, {1e305, 1, 1}));
+  World world;
+  for (int i = 0; i < 60; ++i)
+    for (const Model& model : {closed, open, huge}) {
+      Pose pose = Pose::rotation({random.between(-1, 1), random.between(-1, 1), 1}, random.between(-180, 180));
+      pose.offset = {random.between(-9, 9), 1e-300, random.between(-1e9, 1e9)};
+      if (i % 4 == 3) pose.linear[0].x *= 2;  // no rotation
+      const BodyId id = world.add({model, pose});
+      EXPECT_EQ(world.boxes()[id.index], PosedMesh(model, pose).box()) << "body " << id.index;
+    }
+  EXPECT_NE(complaint_of([&] { world.add({.model = open, .solid = Solid::all}); }), "");
 }
 
 TEST(World, IsReadByManyThreadsAtOnce) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "toccata/core/function_ref.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/query/casts.hpp"
 #include "toccata/query/contacts.hpp"
@@ -49,20 +50,29 @@ class Batch {
  public:
   Batch(Model a, Model b, std::span<const Query> queries)
       : models_{{std::move(a), std::move(b)}}, queries_(queries), count_(queries.size()) {}
+  /// `make(i)` makes query i when its turn comes, for who has the poses of a million in another form and no use for a
+  /// second array of them. It is referred to, called once for each query, and from many threads at once.
+  Batch(Model a, Model b, std::size_t count, FunctionRef<Query(std::size_t)> make)
+      : models_{{std::move(a), std::move(b)}}, make_(make), count_(count) {}
   template <class Pairs>
   requires std::convertible_to<const Pairs&, std::span<const PairOf<Query>>> Batch(const Pairs& pairs)
       : pairs_(pairs), count_(pairs_.size()) {}
 
   [[nodiscard]] std::size_t size() const { return count_; }
-  [[nodiscard]] const Model& a(std::size_t i) const { return models_ ? models_->first : pairs_[i].a; }
-  [[nodiscard]] const Model& b(std::size_t i) const { return models_ ? models_->second : pairs_[i].b; }
-  [[nodiscard]] const Query& query(std::size_t i) const { return models_ ? queries_[i] : pairs_[i].query; }
+  /// `ask(a, b, query)` of entry i.
+  template <class Ask>
+  auto asked(std::size_t i, const Ask& ask) const {
+    if (!models_) return ask(pairs_[i].a, pairs_[i].b, pairs_[i].query);
+    const auto& [a, b] = *models_;
+    return make_ ? ask(a, b, (*make_)(i)) : ask(a, b, queries_[i]);
+  }
   /// What an error calls one of them.
   [[nodiscard]] const char* noun() const { return models_ ? "query" : "pair"; }
 
  private:
   std::optional<std::pair<Model, Model>> models_{};
   std::span<const Query> queries_{};
+  std::optional<FunctionRef<Query(std::size_t)>> make_{};
   std::span<const PairOf<Query>> pairs_{};
   std::size_t count_ = 0;
 };

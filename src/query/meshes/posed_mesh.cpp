@@ -53,6 +53,12 @@ PosedMesh::PosedMesh(const Model& model, const Pose& pose, std::string_view who)
   box_ = world_box(pose, model.wide_bvh().box);
 }
 
+std::optional<Aabb> rigid_world_box(const Model& model, const Pose& pose) {
+  const Aabb& vertices = model.bounds();
+  if (!is_surely_finite(vertices.lower) || !is_surely_finite(vertices.upper)) return {};
+  return world_box(pose, model.wide_bvh().box);
+}
+
 std::vector<Triangle> PosedMesh::triangles() const {
   std::vector<Triangle> triangles;
   triangles.reserve(model_.mesh().triangle_count());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,10 @@ class PosedMesh {
   Pose pose_;
   Aabb box_;
 };
+
+/// The box of `PosedMesh(model, pose)` in less time, by a pose of which the caller knows that it is surely rigid and
+/// finite (narrow/pose_checks.hpp); none where more has to be looked at.
+[[nodiscard]] std::optional<Aabb> rigid_world_box(const Model& model, const Pose& pose);
 
 /// Around one world triangle, exact.
 [[nodiscard]] constexpr Aabb box_of(const Triangle& triangle) {
