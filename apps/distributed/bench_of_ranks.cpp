@@ -33,7 +33,7 @@ struct Arguments {
 struct Line {
   std::string scene;
   double milliseconds = 0, ghosts = 0, imbalance = 0, candidates = 0, came = 0, bytes = 0, most_bytes = 0,
-         bytes_of_bound = 0, most_of_bound = 0, divisions = 0, peak_bytes = 0;
+         bytes_of_bound = 0, most_of_bound = 0, divisions = 0, peak_bytes = 0, processor_seconds = 0;
   DistributedSeconds seconds{};  ///< of an average step and rank
   NearestRates nearest{};
 };
@@ -61,6 +61,7 @@ Line line_of(const std::string& scene, const std::vector<RankCosts>& rows, doubl
     line.most_bytes = std::max(line.most_bytes, row.bytes / frames);
     line.most_of_bound = std::max(line.most_of_bound, row.most_bytes_of_bound);
     line.peak_bytes = std::max(line.peak_bytes, row.peak_bytes);
+    line.processor_seconds += row.processor_seconds / frames / static_cast<double>(rows.size());
   }
   line.ghosts /= std::max(bodies, 1.0);
   line.came /= std::max(bodies, 1.0);
@@ -87,15 +88,19 @@ void print_parts(const std::vector<Line>& lines) {
   fmt::print(
       "\nof an average step and rank in ms; migration: division, sending and receiving; the bound: 100 bytes a ghost "
       "and "
-      "4 KiB a neighbour, of the average and of the worst rank and step; memory: of the program so far\n");
-  fmt::print("{:<12}{:>9}{:>10}{:>9}{:>11}{:>9}{:>9}{:>9}{:>13}{:>9}{:>10}{:>11}\n", "scene", "changes", "division",
-             "sending", "receiving", "pairs", "telling", "waiting", "migration %", "bound %", "at most %", "memory MB");
+      "4 KiB a neighbour, of the average and of the worst rank and step; memory: of the program so far; processor: its "
+      "time, also while it waits\n");
+  fmt::print("{:<12}{:>9}{:>10}{:>9}{:>11}{:>9}{:>9}{:>9}{:>13}{:>9}{:>10}{:>11}{:>11}\n", "scene", "changes",
+             "division", "sending", "receiving", "pairs", "telling", "waiting", "migration %", "bound %", "at most %",
+             "memory MB", "processor");
   for (const Line& line : lines) {
     const DistributedSeconds& s = line.seconds;
-    fmt::print("{:<12}{:>9.2f}{:>10.2f}{:>9.2f}{:>11.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>13.1f}{:>9.1f}{:>10.1f}{:>11.0f}\n",
-               line.scene, 1e3 * s.changes, 1e3 * s.division, 1e3 * s.sending, 1e3 * s.receiving, 1e3 * s.pairs,
-               1e3 * s.telling, 1e3 * s.waiting, 100 * migration(s) / std::max(total(s), 1e-9),
-               100 * line.bytes_of_bound, 100 * line.most_of_bound, line.peak_bytes / 1e6);
+    fmt::print(
+        "{:<12}{:>9.2f}{:>10.2f}{:>9.2f}{:>11.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>13.1f}{:>9.1f}{:>10.1f}{:>11.0f}{:>11.2f}"
+        "\n",
+        line.scene, 1e3 * s.changes, 1e3 * s.division, 1e3 * s.sending, 1e3 * s.receiving, 1e3 * s.pairs,
+        1e3 * s.telling, 1e3 * s.waiting, 100 * migration(s) / std::max(total(s), 1e-9), 100 * line.bytes_of_bound,
+        100 * line.most_of_bound, line.peak_bytes / 1e6, 1e3 * line.processor_seconds);
   }
 }
 

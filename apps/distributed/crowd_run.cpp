@@ -61,10 +61,22 @@ void add(RankCosts& row, const DistributedCosts& costs) {
   add(row.seconds, costs.seconds);
 }
 
-double peak_bytes() {
+rusage used_by_this() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  return 1024. * static_cast<double>(used.ru_maxrss);
+  return used;
+}
+
+double processor_seconds() {
+  const rusage used = used_by_this();
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+MPI_Comm communicator_of(const CrowdOfRanks& wanted) {
+  return MPI_Comm_f2c(wanted.communicator.value_or(MPI_Comm_c2f(MPI_COMM_WORLD)));
 }
 
 RankCosts costs_of_this(const CrowdOfRanks& wanted) {
@@ -74,13 +86,17 @@ RankCosts costs_of_this(const CrowdOfRanks& wanted) {
   std::vector<double> milliseconds;
   for (std::size_t frame = 0; frame < wanted.frames; ++frame) {
     move_those_here(crowd, wanted, world);
+    // Each rank moves the whole crowd to know its own: who is through earlier is not to wait for that in the step.
+    MPI_Barrier(communicator_of(wanted));
+    const double processor_before = processor_seconds();
     const auto begin = std::chrono::steady_clock::now();
     const DistributedCosts& costs = world.step().costs;
     milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    row.processor_seconds += processor_seconds() - processor_before;
     add(row, costs);
   }
   row.pairs = static_cast<double>(world.pairs().size());
-  row.peak_bytes = peak_bytes();
+  row.peak_bytes = 1024. * static_cast<double>(used_by_this().ru_maxrss);
   std::sort(milliseconds.begin(), milliseconds.end());
   row.milliseconds = milliseconds[milliseconds.size() / 2];
   return row;
@@ -109,7 +125,7 @@ DistributedWorld world_of_crowd(const Crowd& crowd, const CrowdOfRanks& wanted) 
 
 std::vector<RankCosts> costs_of_ranks(const CrowdOfRanks& crowd) {
   const RankCosts own = costs_of_this(crowd);
-  MPI_Comm communicator = MPI_Comm_f2c(crowd.communicator.value_or(MPI_Comm_c2f(MPI_COMM_WORLD)));
+  MPI_Comm communicator = communicator_of(crowd);
   int rank = 0, ranks = 1;
   MPI_Comm_rank(communicator, &rank);
   MPI_Comm_size(communicator, &ranks);

@@ -31,7 +31,8 @@ struct RankCosts {
   double most_bytes_of_bound = 0;  ///< of a frame, as a share
   double collectives = 0;
   DistributedSeconds seconds{};
-  double peak_bytes = 0;  ///< of memory, since the program began
+  double processor_seconds = 0;  ///< in steps, waiting included: it asks again and again whether there is something
+  double peak_bytes = 0;         ///< of memory, since the program began
 };
 
 /// 100 bytes for each ghost of the bodies of here, and 4 KiB for each rank that has some.

@@ -17,6 +17,8 @@ namespace {
 struct MeasuredScale {
   int ranks = 1;
   double milliseconds = 0;
+  double apart = 0;      ///< of a step of as many Worlds at once, each of its own share of the boxes
+  double processor = 0;  ///< of a rank, waiting included
   RankLoad load;
 };
 
@@ -32,6 +34,17 @@ int rank_in_world() {
   return rank;
 }
 
+/// What the machine gives so many ranks at once that have nothing to do with each other.
+double milliseconds_apart(int ranks, CrowdOfRanks crowd, MPI_Comm all) {
+  crowd.count /= static_cast<std::size_t>(ranks);
+  crowd.communicator = MPI_Comm_c2f(MPI_COMM_SELF);
+  MPI_Barrier(all);
+  const double own = costs_of_ranks(crowd).front().milliseconds;
+  double most = own;
+  MPI_Allreduce(&own, &most, 1, MPI_DOUBLE, MPI_MAX, all);
+  return most;
+}
+
 /// On the first of all ranks; the others wait.
 MeasuredScale measure_on(int ranks, CrowdOfRanks crowd) {
   MPI_Comm some = MPI_COMM_NULL;
@@ -41,7 +54,11 @@ MeasuredScale measure_on(int ranks, CrowdOfRanks crowd) {
   if (some != MPI_COMM_NULL) {
     crowd.communicator = MPI_Comm_c2f(some);
     const std::vector<RankCosts> rows = costs_of_ranks(crowd);
-    for (const RankCosts& row : rows) measured.milliseconds = std::max(measured.milliseconds, row.milliseconds);
+    for (const RankCosts& row : rows) {
+      measured.milliseconds = std::max(measured.milliseconds, row.milliseconds);
+      measured.processor += 1e3 * row.processor_seconds / static_cast<double>(crowd.frames * rows.size());
+    }
+    measured.apart = ranks > 1 ? milliseconds_apart(ranks, crowd, some) : measured.milliseconds;
     if (!rows.empty()) measured.load = average_load(rows, static_cast<double>(crowd.frames));
     MPI_Comm_free(&some);
   }
@@ -55,8 +72,9 @@ double turns_at_a_core(int ranks) {
 }
 
 void print_measured(const std::vector<MeasuredScale>& all, const MachineCosts& machine) {
-  fmt::print("{:>6}{:>15}{:>10}{:>11}{:>14}{:>13}{:>15}{:>15}{:>19}\n", "ranks", "bodies a rank", "ghosts %",
-             "imbalance", "bytes a rank", "measured ms", "foretold ms", "from 1 and 2", "a core each, ms");
+  fmt::print("{:>6}{:>15}{:>10}{:>11}{:>14}{:>13}{:>15}{:>15}{:>19}{:>13}{:>11}{:>14}\n", "ranks", "bodies a rank",
+             "ghosts %", "imbalance", "bytes a rank", "measured ms", "foretold ms", "from 1 and 2", "a core each, ms",
+             "processor ms", "apart ms", "times as fast");
   for (const MeasuredScale& one : all) {
     const double own_core = 1e3 * predicted_seconds(machine, one.load, one.ranks);
     const double turns = turns_at_a_core(one.ranks);
@@ -68,7 +86,8 @@ void print_measured(const std::vector<MeasuredScale>& all, const MachineCosts& m
           1e3 * turns * predicted_seconds(machine, load_from_two(all[1].load, one.load.bodies, one.ranks), one.ranks));
     else
       fmt::print("{:>15}", "");
-    fmt::print("{:>19.2f}\n", own_core);
+    fmt::print("{:>19.2f}{:>13.2f}{:>11.2f}{:>14.2f}\n", own_core, one.processor, one.apart,
+               all[0].milliseconds / std::max(one.milliseconds, 1e-9));
   }
 }
 

@@ -67,32 +67,46 @@ Aabb DistributedWorld::State::reached_box(BodyId local) const {
 }
 
 void DistributedWorld::State::go(std::span<const WantedPlace> places) {
+  constexpr std::size_t few = 16384;  // what is made of them on the way stays in the cache
+  // The last place of a body counts, so what follows each other goes together.
+  while (!places.empty()) {
+    const bool along = places.front().motion.has_value();
+    const auto is_of_others = [&](const WantedPlace& place) { return place.motion.has_value() != along; };
+    const std::span next = places.first(std::min(few, places.size()));
+    const auto count = static_cast<std::size_t>(std::ranges::find_if(next, is_of_others) - next.begin());
+    if (along)
+      go_along(places.first(count));
+    else
+      go_there(places.first(count));
+    places = places.subspan(count);
+  }
+}
+
+void DistributedWorld::State::go_there(std::span<const WantedPlace> places) {
   std::vector<BodyId> ids;
   std::vector<Pose> poses;
+  ids.reserve(places.size());
+  poses.reserve(places.size());
+  for (const WantedPlace& place : places) {
+    ids.push_back(place.local);
+    poses.push_back(place.pose);
+    if (!ways_.empty()) ways_.erase(place.id);
+  }
+  world_.move(ids, poses);
+}
+
+void DistributedWorld::State::go_along(std::span<const WantedPlace> places) {
+  std::vector<BodyId> ids;
   std::vector<RigidMotion> motions;
-  // The last place of a body counts, so what follows each other goes together.
-  for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
-    const bool along = places[begin].motion.has_value();
-    for (; end < places.size() && places[end].motion.has_value() == along; ++end) {
-      ids.push_back(local_.at(places[end].id));
-      if (along)
-        motions.push_back(*places[end].motion);
-      else
-        poses.push_back(places[end].pose);
-      if (!along && !ways_.empty()) ways_.erase(places[end].id);
-    }
-    if (along)
-      world_.move_along(ids, motions);
-    else
-      world_.move(ids, poses);
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-      const GlobalId id = copy(ids[i]).id;
-      ways_.insert_or_assign(
-          id, GlobalWay{motions[i], swept_box(world_.body(ids[i]), motions[i], [&] { return name_of_body(id); }), {}});
-    }
-    ids.clear();
-    poses.clear();
-    motions.clear();
+  for (const WantedPlace& place : places) {
+    ids.push_back(place.local);
+    motions.push_back(*place.motion);
+  }
+  world_.move_along(ids, motions);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const GlobalId id = places[i].id;
+    ways_.insert_or_assign(
+        id, GlobalWay{motions[i], swept_box(world_.body(ids[i]), motions[i], [&] { return name_of_body(id); }), {}});
   }
 }
 
@@ -116,9 +130,8 @@ void DistributedWorld::State::apply(const WantedChanges& changes, Letters& lette
     copy(local).is_deformed = true;
   }
   for (const WantedPlace& moved : changes.moved) {
-    const BodyId local = local_.at(moved.id);
-    const bool turns = moved.motion || !is_same_turn(moved.pose, world_.body(local).pose);
-    note(local, turns ? Change::moved : Change::shifted);
+    const bool turns = moved.motion || !is_same_turn(moved.pose, world_.body(moved.local).pose);
+    note(moved.local, turns ? Change::moved : Change::shifted);
   }
   go(changes.moved);
   for (const GlobalBody& replaced : changes.replaced) {
@@ -215,8 +228,15 @@ void DistributedWorld::State::put_whole(MessageWriter& letter, BodyId local, int
   if (has_rules) put_rules(letter, own.id);
 }
 
+bool DistributedWorld::State::is_inside(const Aabb& reached) const {
+  bool is_here = false, is_elsewhere = false;
+  space_.visit_parts_meeting(reached, [&](int part) { (part == ranks_.rank() ? is_here : is_elsewhere) = true; });
+  return is_here && !is_elsewhere;
+}
+
 void DistributedWorld::State::send(BodyId local, Letters& letters) {
   Copy& own = copy(local);
+  if (own.holders.empty() && is_inside(reached_box(local))) return;  // as most are: no other rank has it or gets it
   const int here = ranks_.rank(), home = space_.part_of(place_of(world_.box(local)));
   const std::vector<int> reached_ranks = ranks_reached_by(reached_box(local), home);
   const PlaceMessage place = place_message_of(local);
@@ -239,7 +259,6 @@ void DistributedWorld::State::send(BodyId local, Letters& letters) {
     put_head(letters[to], {BodyMessage::leave, is_new ? PlaceMessage::none : place}, own.id);
     put_place(letters[to], is_new ? PlaceMessage::none : place, local);
   }
-  own.change = Change::none;
   own.lives_here = home == here;
   own.holders = own.lives_here ? without(reached_ranks, here) : std::vector<int>{};
   // Its pairs of the step before are told to go on or to end by this rank once more.
@@ -265,7 +284,7 @@ void DistributedWorld::State::send_where_they_belong(const WantedChanges& change
   std::vector<BodyId> changed = std::exchange(changed_, {});
   if (ranks_.count() > 1) {
     if (last_.costs.was_divided) changed = world_.bodies();
-    std::sort(changed.begin(), changed.end());
+    if (!std::is_sorted(changed.begin(), changed.end())) std::sort(changed.begin(), changed.end());
     for (const BodyId local : changed)
       if (copy(local).lives_here) send(local, letters);
   }
@@ -374,6 +393,7 @@ void DistributedWorld::State::receive(const WantedChanges& changes, std::span<co
   read(readers, news);
   put_here(news.put);
   // What is replaced and leaves is in both lists, and its pose may be one that its shape of before may not have.
+  for (WantedPlace& place : news.places) place.local = local_.at(place.id);
   go(news.places);
   for (const GlobalId id : news.leaving) leaving_.push_back(local_.at(id));
   for (const auto& [id, holders] : news.homes) come_to_live_here(local_.at(id), holders);

@@ -33,6 +33,7 @@ struct WantedPlace {
   GlobalId id = 0;
   Pose pose{};
   std::optional<RigidMotion> motion{};
+  BodyId local{};  ///< filled in
 };
 
 struct WantedShape {
@@ -110,12 +111,17 @@ class LapClock {
   Clock::time_point begin_ = Clock::now();
 };
 
-/// A pair that the World of this rank tells, whichever rank is to tell it.
-struct LocalPair {
+/// A pair that this rank told in the step before, and that another tells now.
+struct HandedPair {
   GlobalId a = 0;  ///< a < b
   GlobalId b = 0;
-  bool in_contact = false;
   int teller = 0;
+};
+
+/// What the World of this rank found, each list ascending by (a, b).
+struct PairsFoundHere {
+  std::vector<GlobalPairReport> told;  ///< that this rank tells
+  std::vector<HandedPair> handed;
 };
 
 class DistributedWorld::State {
@@ -190,7 +196,7 @@ class DistributedWorld::State {
   /// Each id is known to one rank, which sees that it is given once.
   void register_ids(const WantedChanges& changes);
   [[nodiscard]] int registrar_of(GlobalId id) const;
-  void check_places(const WantedChanges& changes) const;
+  void check_places(WantedChanges& changes) const;
   void check_deformed(WantedChanges& changes) const;
   static void check_rules(const WantedChanges& changes);
 
@@ -217,6 +223,8 @@ class DistributedWorld::State {
   [[nodiscard]] double imbalance_of(const WantedChanges& changes);
   void send_where_they_belong(const WantedChanges& changes, Letters& letters);
   void send(BodyId local, Letters& letters);
+  /// It reaches no other rank's part of space.
+  [[nodiscard]] bool is_inside(const Aabb& reached) const;
   void send_new(const GlobalBody& added, const BodyBoxes& boxes, Letters& letters);
   [[nodiscard]] PlaceMessage place_message_of(BodyId local) const;
   void put_place(MessageWriter& letter, PlaceMessage place, BodyId local) const;
@@ -229,6 +237,8 @@ class DistributedWorld::State {
   void remove_here(GlobalId id);
   void put_here(std::vector<PutBody>& put);
   void go(std::span<const WantedPlace> places);
+  void go_there(std::span<const WantedPlace> places);
+  void go_along(std::span<const WantedPlace> places);
   void come_to_live_here(BodyId local, std::span<const int> holders);
   void give_up_what_left();
   void arrive();
@@ -241,11 +251,16 @@ class DistributedWorld::State {
 
   // Pairs are told by one rank each (pair_tellers.cpp).
   void make_step(WantedChanges& changes, LapClock& clock);
-  void find_pairs();
-  /// What each rank found, and what this one tells of it.
-  void tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now);
+  [[nodiscard]] PairsFoundHere find_pairs();
+  /// Which of them begin, persist and end.
+  void tell(PairsFoundHere found);
+  /// The pairs that others told in the step before and this rank tells now, ascending.
+  std::vector<std::pair<GlobalId, GlobalId>> hand_over(std::span<const HandedPair> handed);
+  /// One of the two was another body in the step before.
+  [[nodiscard]] bool is_of_removed(GlobalId a, GlobalId b) const;
   [[nodiscard]] bool was_told(BodyId a, BodyId b) const;
-  [[nodiscard]] std::vector<LocalPair> found_pairs() const;
+  /// A body that lives here and that no other rank has.
+  [[nodiscard]] bool is_here_alone(BodyId local) const;
   [[nodiscard]] int teller_of(BodyId a, BodyId b) const;
   void add_details(std::span<GlobalPairReport> pairs) const;
   /// What each body costs, and what there is here.
@@ -285,6 +300,7 @@ class DistributedWorld::State {
   std::vector<BodyId> changed_;     ///< live here and are not as they were in the last step, or have been removed
   std::uint64_t cost_of_here_ = 0;  ///< of all that live here, as they were in the last step
   std::vector<GlobalPairReport> told_;
+  std::vector<GlobalPairReport> spare_;  ///< memory for those of the next step
   DistributedStep last_;
   double imbalance_left_ = 1;  ///< when space was divided last
   std::string broken_;         ///< why nothing more can be asked

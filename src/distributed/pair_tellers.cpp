@@ -37,9 +37,48 @@ class PairsInOrder {
 };
 
 template <class Pair>
+bool comes_before(const Pair& a, const Pair& b) {
+  return ids_of(a) < ids_of(b);
+}
+
+/// Takes out of the list what does not ascend, and the one before it, as either may be out of its place.
+template <class Pair>
+std::vector<Pair> take_unordered(std::vector<Pair>& pairs) {
+  std::vector<Pair> taken;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (kept == 0 || !comes_before(pairs[i], pairs[kept - 1])) {
+      if (kept != i) pairs[kept] = std::move(pairs[i]);
+      ++kept;
+      continue;
+    }
+    taken.push_back(std::move(pairs[--kept]));
+    taken.push_back(std::move(pairs[i]));
+  }
+  pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(kept), pairs.end());
+  return taken;
+}
+
+/// Puts ascending pairs among others that ascend, from the greatest on, so that each moves once.
+template <class Pair>
+void put_among(std::vector<Pair>& pairs, std::vector<Pair> more) {
+  auto kept = static_cast<std::ptrdiff_t>(pairs.size());
+  pairs.resize(pairs.size() + more.size());
+  for (auto to = pairs.end(); !more.empty();) {
+    const bool is_kept_next = kept > 0 && comes_before(more.back(), pairs[static_cast<std::size_t>(kept - 1)]);
+    *--to = std::move(is_kept_next ? pairs[static_cast<std::size_t>(--kept)] : more.back());
+    if (!is_kept_next) more.pop_back();
+  }
+}
+
+/// Bodies mostly lie in the order of their ids, so that most pairs do: the few others are sorted by themselves. (C.
+/// Levcopoulos, O. Petersson, "Splitsort: an adaptive sorting algorithm", 1991.)
+template <class Pair>
 void sort_by_ids(std::vector<Pair>& pairs) {
-  const auto comes_before = [](const Pair& a, const Pair& b) { return ids_of(a) < ids_of(b); };
-  if (!std::is_sorted(pairs.begin(), pairs.end(), comes_before)) std::sort(pairs.begin(), pairs.end(), comes_before);
+  std::vector<Pair> unordered = take_unordered(pairs);
+  if (unordered.empty()) return;
+  std::sort(unordered.begin(), unordered.end(), comes_before<Pair>);
+  put_among(pairs, std::move(unordered));
 }
 
 void put_ids(MessageWriter& letter, const PairOfIds& ids) {
@@ -49,24 +88,19 @@ void put_ids(MessageWriter& letter, const PairOfIds& ids) {
 
 }  // namespace
 
+/// What it reaches is then in this rank's part of space.
+bool DistributedWorld::State::is_here_alone(BodyId local) const {
+  const Copy& one = copy(local);
+  return one.lives_here && one.holders.empty();
+}
+
 /// A pair is told by the rank whose part of space has the lower corner of what the boxes of the two, as far as the
 /// bodies reach, have in common. That point is in both boxes, so the rank has both bodies; and it is in one part alone.
 int DistributedWorld::State::teller_of(BodyId a, BodyId b) const {
-  if (ranks_.count() == 1) return 0;
+  if (ranks_.count() == 1 || is_here_alone(a) || is_here_alone(b)) return ranks_.rank();
   const Aabb first = reached_box(a), second = reached_box(b);
   return space_.part_of({std::max(first.lower.x, second.lower.x), std::max(first.lower.y, second.lower.y),
                          std::max(first.lower.z, second.lower.z)});
-}
-
-std::vector<LocalPair> DistributedWorld::State::found_pairs() const {
-  std::vector<LocalPair> found;
-  found.reserve(world_.pairs().size());
-  for (const PairReport& pair : world_.pairs()) {
-    const auto [a, b] = std::minmax(copy(pair.a).id, copy(pair.b).id);
-    found.push_back({a, b, pair.in_contact, teller_of(pair.a, pair.b)});
-  }
-  sort_by_ids(found);
-  return found;
 }
 
 bool DistributedWorld::State::was_told(BodyId a, BodyId b) const {
@@ -76,13 +110,36 @@ bool DistributedWorld::State::was_told(BodyId a, BodyId b) const {
 
 /// Those that this rank tells, if they are pairs. And those that it told in the step before: it has to know whether
 /// they end, where another tells them now. What else is here several ranks have, and one of them looks at it.
-void DistributedWorld::State::find_pairs() {
+PairsFoundHere DistributedWorld::State::find_pairs() {
   for (auto& [id, way] : ways_) way.reached = reached_box(local_.at(id));
-  if (ranks_.count() == 1)
-    world_.step();
-  else
-    world_.step([&](BodyId a, BodyId b) { return teller_of(a, b) == ranks_.rank() || was_told(a, b); });
-  last_.costs.candidates = world_.last_step().candidates;
+  struct ToldElsewhere {
+    std::pair<BodyId, BodyId> pair;
+    int teller;
+  };
+  std::vector<ToldElsewhere> elsewhere;
+  const auto is_wanted = [&](BodyId a, BodyId b) {
+    const int teller = teller_of(a, b);
+    if (teller == ranks_.rank()) return true;
+    if (!was_told(a, b)) return false;
+    elsewhere.push_back({{a, b}, teller});
+    return true;
+  };
+  PairsFoundHere found{std::exchange(spare_, {}), {}};
+  empty_list(found.told, told_.size() + told_.size() / 16);
+  std::size_t next = 0;  // of those elsewhere
+  const auto see = [&](const PairReport& pair) {
+    const auto [a, b] = std::minmax(copy(pair.a).id, copy(pair.b).id);
+    const std::pair<BodyId, BodyId> here(pair.a, pair.b);
+    while (next < elsewhere.size() && elsewhere[next].pair < here) ++next;
+    if (next < elsewhere.size() && elsewhere[next].pair == here)
+      found.handed.push_back({a, b, elsewhere[next].teller});
+    else
+      found.told.push_back({a, b, pair.in_contact});
+  };
+  last_.costs.candidates = world_.step(is_wanted, see).candidates;
+  sort_by_ids(found.told);
+  sort_by_ids(found.handed);
+  return found;
 }
 
 /// As a World tells them of (a, b), whichever of the two has the lesser index here.
@@ -113,40 +170,52 @@ void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) con
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i]->details = decided[i].details;
 }
 
-void DistributedWorld::State::tell(std::span<const LocalPair> found, std::vector<GlobalPairReport> now) {
-  // What this rank told before and another tells now: that rank is told that it goes on. The bodies are both still
-  // here, as what goes elsewhere is given up only after this.
+bool DistributedWorld::State::is_of_removed(GlobalId a, GlobalId b) const {
+  return !removed_.empty() && (removed_.contains(a) || removed_.contains(b));
+}
+
+/// Who tells a pair now is told that it goes on. The bodies are both still here, as what goes elsewhere is given up
+/// only after this.
+std::vector<std::pair<GlobalId, GlobalId>> DistributedWorld::State::hand_over(std::span<const HandedPair> handed) {
   Letters letters;
-  std::vector<GlobalPairReport> ended;
-  std::vector<PairOfIds> before;
-  PairsInOrder here(found);
-  for (const GlobalPairReport& told : told_) {
-    const LocalPair* at = here.find(ids_of(told));
-    const bool is_of_removed = !removed_.empty() && (removed_.contains(told.a) || removed_.contains(told.b));
-    if (at == nullptr || is_of_removed)
-      ended.push_back(told);
-    else if (at->teller == ranks_.rank())
-      before.push_back(ids_of(told));
-    else
-      put_ids(letters[at->teller], ids_of(told));
-  }
+  for (const HandedPair& pair : handed) put_ids(letters[pair.teller], ids_of(pair));
+  std::vector<PairOfIds> taken_over;
   for (const Received& received : ranks_.exchange(letters))
     for (MessageReader reader(received.bytes); !reader.is_at_end();) {
       const GlobalId a = reader.get_number();
-      before.emplace_back(a, reader.get_number());
+      taken_over.emplace_back(a, reader.get_number());
     }
-  sort_by_ids(before);
+  sort_by_ids(taken_over);
+  return taken_over;
+}
 
-  free_list(told_);
-
-  const std::size_t most_kept = std::min(now.size(), before.size());
-  empty_list(last_.begin, now.size() - most_kept);
+void DistributedWorld::State::tell(PairsFoundHere found) {
+  std::erase_if(found.handed, [&](const HandedPair& pair) { return is_of_removed(pair.a, pair.b); });
+  const std::vector<PairOfIds> taken_over = hand_over(found.handed);
+  const std::size_t most_kept = std::min(found.told.size(), told_.size() + taken_over.size());
+  empty_list(last_.begin, found.told.size() - most_kept);
   empty_list(last_.persist, most_kept);
-  PairsInOrder known{std::span<const PairOfIds>(before)};
-  for (const GlobalPairReport& report : now)
-    (known.find(ids_of(report)) != nullptr ? last_.persist : last_.begin).push_back(report);
-  last_.end = std::move(ended);
-  told_ = std::move(now);
+  empty_list(last_.end, told_.size() + taken_over.size() - most_kept);
+  PairsInOrder handed{std::span<const HandedPair>(found.handed)};
+  PairsInOrder taken{std::span<const PairOfIds>(taken_over)};
+  auto before = told_.begin();
+  const auto end_those_before = [&](const auto& is_before) {
+    for (; before != told_.end() && is_before(*before); ++before)
+      if (handed.find(ids_of(*before)) == nullptr) last_.end.push_back(*before);
+  };
+  for (const GlobalPairReport& report : found.told) {
+    const PairOfIds ids = ids_of(report);
+    end_those_before([&](const GlobalPairReport& told) { return ids_of(told) < ids; });
+    const bool was_told_here = before != told_.end() && ids_of(*before) == ids;
+    const bool is_of_others = was_told_here && is_of_removed(report.a, report.b);
+    if (is_of_others) last_.end.push_back(*before);
+    if (was_told_here) ++before;
+    const bool is_kept = was_told_here ? !is_of_others : taken.find(ids) != nullptr;
+    (is_kept ? last_.persist : last_.begin).push_back(report);
+  }
+  end_those_before([](const GlobalPairReport&) { return true; });
+  spare_ = std::exchange(told_, std::move(found.told));
+  spare_.clear();
 }
 
 void DistributedWorld::State::require_whole() const {
@@ -172,24 +241,16 @@ void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock)
   std::vector<Received> received = ranks_.exchange(letters);
   letters = {};
   seconds.sending = clock.lap();
+  PairsFoundHere found;
   all_do([&] {
     receive(changes, received);
     free_list(received);  // in the first step as much as all bodies
     seconds.receiving = clock.lap();
-    find_pairs();
+    found = find_pairs();
   });
   seconds.pairs = clock.lap();
-  std::vector<LocalPair> found;
-  std::vector<GlobalPairReport> now;
-  all_do([&] {
-    found = found_pairs();
-    const auto is_told_here = [&](const LocalPair& pair) { return pair.teller == ranks_.rank(); };
-    now.reserve(static_cast<std::size_t>(std::ranges::count_if(found, is_told_here)));
-    for (const LocalPair& pair : found)
-      if (is_told_here(pair)) now.push_back({pair.a, pair.b, pair.in_contact});
-    add_details(now);
-  });
-  tell(found, std::move(now));
+  all_do([&] { add_details(found.told); });
+  tell(std::move(found));
   arrive();
   count_costs();
   give_up_what_left();

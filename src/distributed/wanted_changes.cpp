@@ -109,11 +109,11 @@ void DistributedWorld::State::check_deformed(WantedChanges& changes) const {
 }
 
 /// Bodies that are deformed too are checked as they are afterwards.
-void DistributedWorld::State::check_places(const WantedChanges& changes) const {
+void DistributedWorld::State::check_places(WantedChanges& changes) const {
   std::unordered_map<GlobalId, const Body*> deformed;
   for (const GlobalBody& one : changes.bodies_deformed) deformed.emplace(one.id, &one.body);
-  for (const WantedPlace& moved : changes.moved) {
-    const BodyId local = require(moved.id);
+  for (WantedPlace& moved : changes.moved) {
+    const BodyId local = moved.local = require(moved.id);
     const auto other = deformed.empty() ? deformed.end() : deformed.find(moved.id);
     const Body& body = other == deformed.end() ? world_.body(local) : *other->second;
     const auto who = [&] { return name_of_body(moved.id); };

@@ -35,6 +35,9 @@ void World::set_rule(const PairRule& rule) { state_->set_rules({&rule, 1}); }
 void World::prepare() const { state_->prepare(); }
 const WorldStep& World::step() { return state_->step(); }
 const WorldStep& World::step(FunctionRef<bool(BodyId, BodyId)> is_wanted) { return state_->step(&is_wanted); }
+const WorldStep& World::step(FunctionRef<bool(BodyId, BodyId)> is_wanted, FunctionRef<void(const PairReport&)> see) {
+  return state_->step(&is_wanted, &see);
+}
 
 const WorldStep& World::last_step() const { return state_->last_step(); }
 std::span<const PairReport> World::pairs() const { return state_->pairs(); }

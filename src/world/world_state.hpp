@@ -32,7 +32,9 @@ class World::State {
   void prepare() const;
   /// Null: all pairs are wanted.
   using WantedPairs = FunctionRef<bool(BodyId, BodyId)>;
-  const WorldStep& step(const WantedPairs* are_wanted = nullptr);
+  using SeePair = FunctionRef<void(const PairReport&)>;
+  /// Null: they are listed.
+  const WorldStep& step(const WantedPairs* are_wanted = nullptr, const SeePair* see = nullptr);
 
   [[nodiscard]] bool contains(BodyId id) const {
     return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used &&
@@ -108,8 +110,12 @@ class World::State {
   void let_fly();
   /// Moves them to `reached_boxes_` there.
   void give_to_phase(std::span<const Index> indices);
+  /// Calls `visit(report)` for each pair that was found, ascending.
+  template <class Visit>
+  void visit_reports(const Visit& visit) const;
   [[nodiscard]] std::vector<PairReport> reports() const;
   void tell(std::vector<PairReport> now);
+  void forget_pairs();
 
   WorldOptions options_;
   std::uint32_t number_;  ///< of this World and its copies, in the ids that it gives out

@@ -35,8 +35,11 @@ std::optional<double> World::State::margin_of(const IndexPair& pair) const {
   return margin;
 }
 
-/// Other pairs of the two may have larger margins than this one.
+/// Other pairs of the two may have larger margins than this one; what has none and does not fly is in the broad phase
+/// with its own box, which is not fetched again.
 bool World::State::may_be_near(const IndexPair& pair, double margin) const {
+  const auto is_as_found = [&](const Slot& slot) { return slot.margin == 0 && !slot.has_rules; };
+  if (!schedule_ && is_as_found(slots_[pair.first]) && is_as_found(slots_[pair.second])) return true;
   const Aabb &a = box_on_the_way(pair.first), &b = box_on_the_way(pair.second);
   return overlap(a, b) || (margin != 0 && overlap(offset_outward(a, margin), b));
 }
@@ -46,6 +49,7 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
                                                   UndecidedPairs& undecided) {
   std::vector<DecidedPair> found;
   found.reserve(looked.size());
+  undecided.pairs.reserve(looked.size());
   auto known = decided_.begin();
   for (const IndexPair& pair : looked) {
     const std::optional<double> margin = margin_of(pair);
@@ -72,13 +76,18 @@ std::vector<DecidedPair> World::State::candidates(std::span<const IndexPair> loo
   return found;
 }
 
+template <class Visit>
+void World::State::visit_reports(const Visit& visit) const {
+  for (const DecidedPair& decided : decided_)
+    if (is_told(decided.nearness))
+      visit(PairReport{id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == BodyNearness::contact,
+                       decided.details});
+}
+
 std::vector<PairReport> World::State::reports() const {
   std::vector<PairReport> now;
   now.reserve(decided_.size());
-  for (const DecidedPair& decided : decided_)
-    if (is_told(decided.nearness))
-      now.push_back({id_of(decided.pair.first), id_of(decided.pair.second), decided.nearness == BodyNearness::contact,
-                     decided.details});
+  visit_reports([&](PairReport report) { now.push_back(std::move(report)); });
   return now;
 }
 
@@ -98,7 +107,14 @@ void World::State::tell(std::vector<PairReport> now) {
   pairs_ = std::move(now);
 }
 
-const WorldStep& World::State::step(const WantedPairs* are_wanted) {
+void World::State::forget_pairs() {
+  free_list(pairs_);
+  free_list(last_.begin);
+  free_list(last_.persist);
+  free_list(last_.end);
+}
+
+const WorldStep& World::State::step(const WantedPairs* are_wanted, const SeePair* see) {
   if (are_wanted != nullptr && schedule_)
     throw Error(
         "a World with space_time looks at all pairs: take one without it to look at those alone that are wanted");
@@ -113,7 +129,12 @@ const WorldStep& World::State::step(const WantedPairs* are_wanted) {
   for (const Index index : changed_) slots_[index].has_changed = false;
   changed_.clear();
   arrive();
-  tell(reports());
+  if (see == nullptr) {
+    tell(reports());
+  } else {
+    forget_pairs();
+    visit_reports(*see);
+  }
   return last_;
 }
 

@@ -58,6 +58,37 @@ TEST(WantedPairs, AreToldAsByAStepOfAll) {
   }
 }
 
+/// What is shown is what the lists of another World tell, and no list is kept.
+TEST(WantedPairs, AreShownWithoutLists) {
+  Random random(12);
+  World listed;
+  std::vector<Body> bodies;
+  for (int i = 0; i < 60; ++i) bodies.push_back(random_body("any", random));
+  const std::vector<BodyId> ids = listed.add(bodies);
+  World shown = listed;
+  shown.step();
+  EXPECT_FALSE(shown.pairs().empty());
+  for (std::uint64_t frame = 0; frame < 10; ++frame) {
+    const auto is_wanted = [&](BodyId a, BodyId b) { return (a.index + b.index + frame) % 3 != 0; };
+    std::vector<PairReport> seen;
+    const WorldStep& step = shown.step(is_wanted, [&](const PairReport& pair) { seen.push_back(pair); });
+    EXPECT_EQ(step.candidates, listed.step(is_wanted).candidates);
+    EXPECT_EQ(pairs_of(seen), pairs_of(listed.pairs())) << frame;
+    for (std::size_t i = 0; i < std::min(seen.size(), listed.pairs().size()); ++i)
+      EXPECT_EQ(seen[i].in_contact, listed.pairs()[i].in_contact);
+    EXPECT_TRUE(shown.pairs().empty() && step.begin.empty() && step.persist.empty() && step.end.empty());
+    for (const BodyId id : ids) {
+      if (random.below(4) != 0) continue;
+      const Pose to = random_place("any", random);
+      listed.move(id, to);
+      shown.move(id, to);
+    }
+  }
+  listed.step();
+  EXPECT_EQ(pairs_of(shown.step().begin), pairs_of(listed.pairs()));
+  EXPECT_TRUE(shown.last_step().persist.empty() && shown.last_step().end.empty());
+}
+
 TEST(WantedPairs, AreNoneOfAWorldThatHasToKnowAll) {
   World world({.space_time = true});
   EXPECT_THROW(world.step([](BodyId, BodyId) { return true; }), Error);

@@ -156,10 +156,13 @@ class World {
 
   /// Finds the pairs of the bodies as they are now.
   const WorldStep& step();
-  /// The same of those pairs alone that are wanted. It is asked of two whose boxes overlap and that no rule leaves out,
-  /// a.index < b.index; where it says no they are not looked at and are no pair in this step. Throws Error in a World
-  /// with space_time, which has to know of all.
+  /// The same of those pairs alone that are wanted. It is asked, ascending, of two whose boxes overlap and that no rule
+  /// leaves out, a.index < b.index; where it says no they are not looked at and are no pair in this step. Throws Error
+  /// in a World with space_time, which has to know of all.
   const WorldStep& step(FunctionRef<bool(BodyId a, BodyId b)> is_wanted);
+  /// The same without lists, for who keeps pairs of their own: calls `see` for each pair. No pair is known afterwards,
+  /// so `pairs` and the lists of `last_step` are empty, and the next step tells all of its pairs as begun.
+  const WorldStep& step(FunctionRef<bool(BodyId a, BodyId b)> is_wanted, FunctionRef<void(const PairReport& pair)> see);
 
   /// What the last step found.
   [[nodiscard]] const WorldStep& last_step() const;
