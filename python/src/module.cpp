@@ -4,6 +4,7 @@
 #include <toccata/core/status.hpp>
 #include <toccata/core/version.hpp>
 
+#include "overlap_bodies.hpp"
 #include "shapes.hpp"
 
 namespace nb = nanobind;
@@ -32,6 +33,7 @@ NB_MODULE(_core, module) {
   bind_mover_options(module);
   bind_scenes(module);
   bind_depths(module);
+  bind_overlap_bodies(module);
   bind_regions(module);
   bind_meshes(module);
   bind_motions(module);
