@@ -162,16 +162,19 @@ void warn_of_unfinished(LoadedScene& loaded, const CheckReport& report) {
                   counted(report.candidate_pairs, "pair")));
 }
 
-/// Writes what other programs read of the answer.
-AlsoWritten exchange_of(const CheckCommand& arguments) {
-  return [&arguments](const CheckInput& input, const SceneAnswer& answer) {
-    return write_exchange(input, answer, arguments,
-                          [&](const ReportedPair& pair) { return is_failure(pair, arguments.fail_on); });
+/// Writes what other programs read of the answer, and says whether that was stopped before it was all.
+AlsoWritten exchange_of(const CheckCommand& arguments, bool& was_stopped) {
+  return [&arguments, &was_stopped](const CheckInput& input, const SceneAnswer& answer) {
+    ExchangeTold told = write_exchange(input, answer, arguments,
+                                       [&](const ReportedPair& pair) { return is_failure(pair, arguments.fail_on); });
+    was_stopped = told.was_stopped;
+    return std::move(told.lines);
   };
 }
 
 int run_check(const CheckCommand& arguments, const std::vector<std::string>& asking) {
   require_exchange(arguments);
+  bool was_stopped = false;
   const bool asks_itself =
       arguments.self || arguments.faces || arguments.penetration || arguments.touching != Touching::count ||
       !arguments.clearance.empty() || !arguments.clearances_of.empty() || has_rules(arguments.rules) ||
@@ -184,8 +187,8 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
                                        .asks_itself = asks_itself,
                                        .takes_any = true,
                                        .asking = asks_itself ? asking : std::vector<std::string>{}},
-                                      exchange_of(arguments)))
-    return *code;
+                                      exchange_of(arguments, was_stopped)))
+    return was_stopped ? unfinished_code : *code;
   // Whether a file of rules tells a tolerance is seen when it is read.
   require_depths(arguments, arguments.penetration || !arguments.tolerance.empty() || !arguments.rules.files.empty());
   if (!arguments.poses.empty()) return run_check_poses(arguments);
@@ -203,8 +206,8 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
   SceneAnswer answer = ask_for(input, question, arguments, {"checking", is_drawn(arguments)});
   warn_of_unfinished(input.loaded, std::get<CheckReport>(answer));
   const int code = code_of(std::get<CheckReport>(answer), arguments.fail_on);
-  give_answer(question, input, answer, arguments, exchange_of(arguments));
-  return code;
+  give_answer(question, input, answer, arguments, exchange_of(arguments, was_stopped));
+  return was_stopped ? unfinished_code : code;
 }
 
 }  // namespace

@@ -253,10 +253,12 @@ std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
     return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
                                                   [&](const ReportedPair& pair) { return pair.tolerance == verdict; }));
   };
+  const std::size_t within = count(ToleranceVerdict::within);
   std::string text = fmt::format(
-      "{} within {}, by the upper bounds of their depths: no clash", counted(count(ToleranceVerdict::within), "pair"),
+      "{} within {}, by the upper bounds of their depths", within == 0 ? "No pair is" : counted(within, "pair"),
       *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
                             : std::string("a tolerance"));
+  if (within > 0) text += ": no clash";
   if (const std::size_t undecided = count(ToleranceVerdict::undecided); undecided > 0)
     text += fmt::format("; of {} that could not be decided", counted(undecided, "pair"));
   return text + ".\n";

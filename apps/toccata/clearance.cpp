@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -33,6 +35,16 @@ constexpr std::string_view pair_form = "NAME,NAME=LENGTH";
                           typed.longest == Longest::infinite ? ", or all" : ""));
 }
 
+/// Of what is no word nothing is known but that the whole is wrong.
+[[noreturn]] void refuse_unit(const Typed& typed, std::string_view unit) {
+  const bool is_word = std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+  if (!is_word) refuse(typed);
+  throw Error(
+      fmt::format("{} {}: '{}' is no unit of length; write mm, cm, m, km, in or ft behind the number, or the "
+                  "number alone",
+                  typed.option, typed.text, unit));
+}
+
 /// What a length of 1 in the named unit is in the world's.
 double world_units(const Typed& typed, std::string_view unit, std::string_view world) {
   if (world == "unit")
@@ -51,7 +63,8 @@ double length_of(std::string_view text, const Typed& typed, const LengthUnits& u
   const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (error != std::errc() || !std::isfinite(number) || number < 0) refuse(typed);
   if (unit.empty()) return units.number.empty() ? number : number * world_units(typed, units.number, units.world);
-  if (unit != "mm" && unit != "cm" && unit != "m" && unit != "km" && unit != "in" && unit != "ft") refuse(typed);
+  if (unit != "mm" && unit != "cm" && unit != "m" && unit != "km" && unit != "in" && unit != "ft")
+    refuse_unit(typed, unit);
   return number * world_units(typed, unit, units.world);
 }
 

@@ -25,9 +25,12 @@ std::string within_text(const CheckReport& report) {
 }
 
 /// What a file of all findings is written from.
-template <std::string (*bytes)(const Findings&)>
+template <OutputKind kind, std::string (*bytes)(const Findings&)>
 ExchangeContent findings_content(const Findings& findings) {
-  return {bytes(findings), counted(findings.report.pairs.size(), "finding") + within_text(findings.report)};
+  const auto write = [content = bytes(findings)](const std::filesystem::path& file) {
+    write_output(content, file, kind);
+  };
+  return {write, counted(findings.report.pairs.size(), "finding") + within_text(findings.report)};
 }
 
 /// A kind of file, where the arguments name it, and what makes it.
@@ -39,9 +42,10 @@ struct ExchangeFormat {
 };
 
 constexpr std::array exchange_formats{
-    ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, findings_content<junit_xml>},
-    ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif, findings_content<sarif_json>},
-    ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, findings_content<bcf_zip>},
+    ExchangeFormat{"--junit", &ExchangeFiles::junit, OutputKind::junit, findings_content<OutputKind::junit, junit_xml>},
+    ExchangeFormat{"--sarif", &ExchangeFiles::sarif, OutputKind::sarif,
+                   findings_content<OutputKind::sarif, sarif_json>},
+    ExchangeFormat{"--bcf", &ExchangeFiles::bcf, OutputKind::bcf, findings_content<OutputKind::bcf, bcf_zip>},
     ExchangeFormat{"--overlap-bodies", &ExchangeFiles::overlap_bodies, OutputKind::glb, overlap_bodies_content}};
 
 }  // namespace
@@ -72,9 +76,9 @@ void require_exchange(const PosedArguments& arguments) {
     if (const std::string& file = arguments.exchange.*format.file; !file.empty()) require_output(file, format.kind);
 }
 
-std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, const PosedArguments& arguments,
-                           const IsFailure& is_failure) {
-  std::string told;
+ExchangeTold write_exchange(const CheckInput& input, const SceneAnswer& answer, const PosedArguments& arguments,
+                            const IsFailure& is_failure) {
+  ExchangeTold told;
   for (const ExchangeFormat& format : exchange_formats) {
     const std::string& file = arguments.exchange.*format.file;
     if (file.empty()) continue;
@@ -84,8 +88,9 @@ std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, c
           fmt::format("{} tells pairs of a check, and another question was asked: leave it out", format.option));
     const ExchangeContent content = format.content({input, *report, arguments, is_failure});
     const UninterruptedWriting writing;
-    write_output(content.bytes, file, format.kind);
-    told += fmt::format("{}: {}.\n", printable(file), content.holds);
+    content.write(file);
+    told.lines += fmt::format("{}: {}.\n", printable(file), content.holds);
+    told.was_stopped = told.was_stopped || content.was_stopped;
   }
   return told;
 }

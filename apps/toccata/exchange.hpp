@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -32,10 +33,17 @@ struct Findings {
 /// A zip.
 [[nodiscard]] std::string bcf_zip(const Findings& findings);
 
-/// What a file holds, and in words how much that is.
+/// What a file is to hold.
 struct ExchangeContent {
-  std::string bytes;
-  std::string holds;
+  std::function<void(const std::filesystem::path&)> write;
+  std::string holds;         ///< how much that is, in words
+  bool was_stopped = false;  ///< before it was all
+};
+
+/// What is told of the files that were written.
+struct ExchangeTold {
+  std::string lines;
+  bool was_stopped = false;  ///< one of them does not hold all
 };
 
 /// Warns of the pairs that have no body. Takes long, and tells how far it is; at the time limit the others have none.
@@ -49,7 +57,7 @@ void require_exchange(const PosedArguments& arguments);
 
 /// Writes those that the arguments name, and returns a line about each. Throws Error where the answer is none of a
 /// check of pairs and some are named.
-std::string write_exchange(const CheckInput& input, const SceneAnswer& answer, const PosedArguments& arguments,
-                           const IsFailure& is_failure);
+ExchangeTold write_exchange(const CheckInput& input, const SceneAnswer& answer, const PosedArguments& arguments,
+                            const IsFailure& is_failure);
 
 }  // namespace toccata::command

@@ -39,13 +39,19 @@ ExchangeContent overlap_bodies_content(const Findings& findings) {
     made = overlap_bodies_glb(
         findings.input.loaded.scene, findings.input.models, findings.report,
         {.title = title_of(arguments.input.files), .up = up_of(arguments)},
-        {.threads = arguments.threads, .progress = bar.callback(), .stop = [&] { return end.is_due(); }});
+        {.threads = arguments.threads, .progress = bar.callback(), .stop = [&] { return end.is_due(); }},
+        arguments.exchange.overlap_bodies);
   }
   if (!made.left_out.empty())
     print_warnings({fmt::format("{}: {} no body: {}", printable(arguments.exchange.overlap_bodies),
                                 counted(made.left_out.size(), "pair that overlaps has", "pairs that overlap have"),
                                 left_out_text(findings, made))});
-  return {std::move(made.glb), counted(made.bodies, "overlap body", "overlap bodies")};
+  std::string holds = counted(made.bodies, "overlap body", "overlap bodies");
+  if (!made.left_out.empty())
+    holds +=
+        fmt::format("; {} none", counted(made.left_out.size(), "pair that overlaps has", "pairs that overlap have"));
+  if (made.stopped > 0) holds += ": stopped before all were made";
+  return {std::move(made.write), std::move(holds), made.stopped > 0};
 }
 
 }  // namespace toccata::command

@@ -4,7 +4,11 @@
 #include <toccata/core/status.hpp>
 #include <toccata/core/version.hpp>
 
+<<<<<<< HEAD
 #include "arrays.hpp"
+=======
+#include "overlap_bodies.hpp"
+>>>>>>> 47d21d740748a307f7822637764be5818bd2f0ea
 #include "shapes.hpp"
 
 namespace nb = nanobind;
@@ -34,6 +38,7 @@ NB_MODULE(_core, module) {
   bind_mover_options(module);
   bind_scenes(module);
   bind_depths(module);
+  bind_overlap_bodies(module);
   bind_regions(module);
   bind_meshes(module);
   bind_motions(module);

@@ -293,6 +293,8 @@ TEST_F(CheckClearanceCommand, RefusesWhatIsNoLength) {
     EXPECT_EQ(run.exit_code, 2) << wrong << run.out;
     EXPECT_TRUE(run.out.empty()) << wrong;
   }
+  EXPECT_NE(run_command({"check", file, "--clearance=2mile"}).err.find("'mile' is no unit of length"),
+            std::string::npos);
   for (const std::string wrong : {"table,door=1", "table=1", "table,wall", "table,table=1", "table,wall=x"})
     EXPECT_EQ(run_command({"check", file, "--clearance-of", wrong}).exit_code, 2) << wrong;
   EXPECT_EQ(run_command({"check", file, "--self", "--clearance", "1"}).exit_code, 2);

@@ -15,10 +15,12 @@
 
 #include "support/data.hpp"
 #include "support/voxel_solids.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/io/model_file.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/query/overlap.hpp"
 #include "toccata/shapes/shape.hpp"
 
 namespace toccata::test {
@@ -263,6 +265,17 @@ TEST(OverlapBodies, OfRealMeshes) {
   expect_body(spot, spot, {.pose_b = Pose::rotation({0, 1, 0}, 20)}, 20);
   ASSERT_TRUE(Model(arm).closed());
   expect_body(arm, arm, {.pose_b = Pose::rotation({1, 1, 0}, 90)}, 20);
+}
+
+TEST(OverlapBodies, AreToldToProgramsAsMeshesAlone) {
+  const Model box(Box({1, 1, 1}));
+  const std::vector<TriangleMesh> told = overlap_bodies(box, box, {.pose_b = Pose::translation(1.5, 0.5, 0)});
+  ASSERT_EQ(told.size(), 1U);
+  const OverlapVolume own = overlap_volume(Model(told[0]), box);
+  EXPECT_NEAR(own.lower, 0.5 * 1.5 * 2, 1e-12);
+  for (const double apart : {2.0, 5.0})
+    EXPECT_TRUE(overlap_bodies(box, box, {.pose_b = Pose::translation(apart, 0, 0)}).empty());
+  EXPECT_THROW((void)overlap_bodies(Model(box_mesh({1, 1, 1})), box, {.solid_a = Solid::none}), Error);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "support/command.hpp"
 #include "support/temporary_folder.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
 #include "toccata/io/scene_file.hpp"
@@ -34,16 +38,23 @@ OverlapBodiesGlb bodies_of(const Scene& scene, const AskOptions& options = {}, c
 
 Scene bodies_read_back(const OverlapBodiesGlb& bodies) {
   const test::TemporaryFolder folder;
-  write_glb(bodies.glb, folder.path() / "bodies.glb");
+  bodies.write(folder.path() / "bodies.glb");
   return read_scene(folder.path() / "bodies.glb");
+}
+
+std::string bytes_of(const OverlapBodiesGlb& bodies) {
+  const test::TemporaryFolder folder;
+  bodies.write(folder.path() / "bodies.glb");
+  return test::text_of(folder.path() / "bodies.glb");
 }
 
 /// The properties of the nodes that have some, by the node's name.
 std::map<std::string, BodiesJson> properties_in(const OverlapBodiesGlb& bodies) {
+  const std::string bytes = bytes_of(bodies);
   std::uint32_t size = 0;
-  std::memcpy(&size, bodies.glb.data() + 12, 4);
+  std::memcpy(&size, bytes.data() + 12, 4);
   std::map<std::string, BodiesJson> found;
-  const BodiesJson top = BodiesJson::parse(bodies.glb.substr(20, size));
+  const BodiesJson top = BodiesJson::parse(bytes.substr(20, size));
   for (const BodiesJson& node : top["nodes"])
     if (node.contains("extras")) found[node["name"].get<std::string>()] = node["extras"];
   return found;
@@ -149,9 +160,33 @@ TEST(OverlapBodiesGlb, HaveTheSameBytesOnAnyNumberOfThreads) {
   const Scene scene = many_parts(60, 5);
   const OverlapBodiesGlb one = bodies_of(scene, {.threads = 1}), four = bodies_of(scene, {.threads = 4});
   EXPECT_GT(one.bodies, 10U);
-  EXPECT_EQ(one.glb, four.glb);
+  EXPECT_EQ(bytes_of(one), bytes_of(four));
   EXPECT_EQ(one.left_out, four.left_out);
   EXPECT_EQ(expect_sound_bodies(one, 1), one.bodies);
+}
+
+std::size_t files_in(const test::TemporaryFolder& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
+}
+
+TEST(OverlapBodiesGlb, AreTheSameWhereTheyWaitInAFileWithoutAName) {
+  const Scene scene = many_parts(60, 5);
+  const std::vector<SceneInstance> models = scene_models(scene);
+  const CheckReport report = make_check_report(models, check_all(models));
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "bodies.glb";
+  {
+    const OverlapBodiesGlb bodies = overlap_bodies_glb(scene, models, report, {}, {}, file);
+    EXPECT_EQ(files_in(folder), 0U);
+    bodies.write(file);
+    EXPECT_EQ(files_in(folder), 1U);
+    const std::string first = test::text_of(file);
+    bodies.write(file);  // as often as is wanted
+    EXPECT_EQ(test::text_of(file), first);
+    EXPECT_EQ(first, bytes_of(bodies_of(scene)));
+  }
+  EXPECT_EQ(files_in(folder), 1U);
+  EXPECT_THROW((void)overlap_bodies_glb(scene, models, report, {}, {}, folder.path() / "none" / "bodies.glb"), Error);
 }
 
 TEST(OverlapBodiesGlb, FarFromTheOriginTheyKeepTheirDetail) {
@@ -182,6 +217,7 @@ TEST(OverlapBodiesGlb, WhenItIsStoppedTheOthersAreLeftOut) {
   EXPECT_EQ(bodies.bodies, 0U);
   ASSERT_EQ(bodies.left_out.size(), 4U);
   EXPECT_EQ(bodies.left_out[0].second, "the check was stopped before it was made");
+  EXPECT_EQ(bodies.stopped, 4U);
   std::size_t done = 0;
   const AskOptions cancelling{.threads = 1, .progress = [&](std::size_t, std::size_t) {
                                 if (++done == 2) throw std::runtime_error("enough");

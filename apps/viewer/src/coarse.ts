@@ -5,7 +5,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 /// How many triangles of all objects together are drawn while they move, and from how many on there is something coarse.
 export const detail = { whenMoving: 24_000, heavy: 300_000 };
 
-type Numbers = Float32Array | Uint16Array;
+export type Numbers = Float32Array | Uint16Array;
 
 /// The number of each vertex's cell, and the first vertex of each cell that has some; there are `cells` along each side of the box.
 function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: number): { of: Uint32Array; first: number[] } {
@@ -15,12 +15,28 @@ function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: numb
   const of = new Uint32Array(numbers.length / 3);
   for (let vertex = 0; vertex < of.length; ++vertex) {
     let place = 0;
-    for (let axis = 0; axis < 3; ++axis)
-      place = place * cells + Math.min(cells - 1, Math.floor((numbers[3 * vertex + axis] - lower[axis]) * scale[axis]));
+    for (let axis = 0; axis < 3; ++axis) {
+      const cell = ((numbers[3 * vertex + axis] - lower[axis]) * scale[axis]) | 0; // whole numbers are what takes least
+      place = place * cells + (cell < cells ? cell : cells - 1);
+    }
     if (numberOf[place] < 0) numberOf[place] = first.push(vertex) - 1;
     of[vertex] = numberOf[place];
   }
   return { of, first };
+}
+
+/// Whether a triangle is told for the first time, by the numbers of three different cells.
+function firstTold(cells: number): (a: number, b: number, c: number) => boolean {
+  const bits = cells ** 3 <= 1 << 18 ? new Uint8Array(cells ** 3) : undefined; // many meshes have few cells each
+  const seen = new Set<number>();
+  return (a, b, c) => {
+    const least = Math.min(a, b, c), most = Math.max(a, b, c);
+    const key = (least * cells + (a + b + c - least - most)) * cells + most;
+    if (bits ? bits[key] === 1 : seen.has(key)) return false;
+    if (bits) bits[key] = 1;
+    else seen.add(key);
+    return true;
+  };
 }
 
 /// The triangles between three cells, each once, over the same vertices: about so many.
@@ -31,15 +47,10 @@ export function coarseOf(geometry: BufferGeometry, triangles: number): BufferGeo
   const { of, first } = cellsOf(geometry.getAttribute('position').array as Numbers, min.toArray(), max.toArray(), cells);
   const corners = geometry.getIndex()!.array;
   const kept: number[] = [];
-  const seen = new Set<number>();
+  const isNew = firstTold(first.length);
   for (let at = 0; at < corners.length; at += 3) {
-    const [a, b, c] = [of[corners[at]], of[corners[at + 1]], of[corners[at + 2]]];
-    if (a === b || b === c || c === a) continue;
-    const [least, most] = [Math.min(a, b, c), Math.max(a, b, c)];
-    const key = (least * first.length + (a + b + c - least - most)) * first.length + most;
-    if (seen.has(key)) continue;
-    seen.add(key);
-    kept.push(first[a], first[b], first[c]);
+    const a = of[corners[at]], b = of[corners[at + 1]], c = of[corners[at + 2]];
+    if (a !== b && b !== c && c !== a && isNew(a, b, c)) kept.push(first[a], first[b], first[c]);
   }
   const coarse = new BufferGeometry().setAttribute('position', geometry.getAttribute('position'));
   if (geometry.hasAttribute('normal')) coarse.setAttribute('normal', geometry.getAttribute('normal'));

@@ -364,7 +364,8 @@ export class PageData {
   ) {
     for (const layer of header.layers) {
       if (layer.finding === undefined) continue;
-      this.found.push(layer);
+      const kindred = this.foundOf(layer.role, layer.kind);
+      if (kindred.push(layer) === 1) this.found.set(layer.role, { ...this.found.get(layer.role), [layer.kind]: kindred });
       const ofIt = this.byFinding.get(layer.finding);
       if (ofIt) ofIt.push(layer);
       else this.byFinding.set(layer.finding, [layer]);
@@ -372,7 +373,17 @@ export class PageData {
   }
 
   private readonly byFinding = new Map<number, Layer[]>();
-  readonly found: Layer[] = []; // of all findings
+  private readonly found = new Map<string, Record<string, Layer[]>>(); // of all findings, by role and kind
+
+  /// The roles of what is drawn of findings, as they first come.
+  get foundRoles(): string[] {
+    return [...this.found.keys()];
+  }
+
+  /// What is drawn of all findings in that role, of that kind.
+  foundOf(role: string, kind: string): Layer[] {
+    return this.found.get(role)?.[kind] ?? [];
+  }
 
   /// What is drawn while this finding is chosen.
   layersOf(finding: number | undefined): Layer[] {

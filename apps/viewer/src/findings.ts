@@ -140,7 +140,7 @@ function ofGone(pair: GonePair, report: Report): Finding {
 const sinceOf = ({ baseline, moved_by }: Pair, unit: string): string =>
   baseline === 'moved' && moved_by ? `moved by ${lengthText(moved_by, unit)}` : (baseline ?? '');
 
-/// What stands below the sentence: of ten thousand pairs it is put together for the one that is chosen.
+/// What stands below the sentence.
 function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
   const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
   if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
@@ -160,18 +160,26 @@ function ofPairs({ header, report }: PageData): Findings {
     const { verb: plainVerb = '', remark = '', place } = header.words[i];
     const verb = kindVerbs[pair.kind ?? ''] ?? plainVerb;
     const [a, b] = [pair.a_index, pair.b_index];
-    const faces = facesText(header, report, pair, i);
     const near = pair.relation === 'apart';
-    const number = numberOf(report.unit, pair.distance, pair.penetration) || faces;
-    return {
-      row: [{ object: a }, ' – ', { object: b }],
-      what: together(pair.baseline && pair.baseline !== 'known' ? pair.baseline : '', number ? together(near ? 'near' : verb, number) : verb, pair.tolerance === 'within' ? 'within tolerance' : ''),
-      sentence: [{ object: a }, ` ${verb} `, { object: b }, ` ${remark}.`],
+    return { // of ten thousand, texts are put together of those that are seen
+      get row() {
+        return [{ object: a }, ' – ', { object: b }];
+      },
+      get what() {
+        const number = numberOf(report.unit, pair.distance, pair.penetration) || facesText(header, report, pair, i);
+        return together(pair.baseline && pair.baseline !== 'known' ? pair.baseline : '', number ? together(near ? 'near' : verb, number) : verb, pair.tolerance === 'within' ? 'within tolerance' : '');
+      },
+      get sentence() {
+        return [{ object: a }, ` ${verb} `, { object: b }, ` ${remark}.`];
+      },
       get facts() {
-        return [...pairFacts(pair, faces, report.unit), ...methods.facts(i, pair.status, pair.penetration, pair.distance)];
+        return [...pairFacts(pair, facesText(header, report, pair, i), report.unit), ...methods.facts(i, pair.status, pair.penetration, pair.distance)];
+      },
+      get regions() {
+        return boxesOf(pair.regions);
       },
       a, b, outer: outerOf(pair.containment, a, b), counts: !near && pair.tolerance !== 'within',
-      place, regions: boxesOf(pair.regions), kind: kindOf(pair), since: pair.baseline, subdued: pair.tolerance === 'within',
+      place, kind: kindOf(pair), since: pair.baseline, subdued: pair.tolerance === 'within',
       depth: depthOf(pair.penetration), gap: near ? (pair.distance?.upper ?? Infinity) : 0, size: header.words[i].face_pairs ?? 0,
     };
   });
@@ -446,18 +454,21 @@ export function findingsOf(data: PageData): Findings {
   return kind(data);
 }
 
+/// By what they are sorted, the least first.
+const deepest = (finding: Finding) => -finding.depth, nearest = (finding: Finding) => finding.gap, largest = (finding: Finding) => -finding.size;
+const keysOf: Record<Order, ((finding: Finding) => number)[]> = { deepest: [deepest, nearest, largest], nearest: [nearest], largest: [largest], listed: [] };
+
 /// The numbers of the findings in that order; those that are equal in it stay as listed.
 export function sorted(findings: Finding[], order: Order, moment: number): number[] {
-  const by = (number: (finding: Finding) => number, way: 1 | -1) => (i: number, j: number) => {
-    const [x, y] = [number(findings[i]), number(findings[j])];
-    return x === y ? 0 : x < y ? -way : way;
-  };
-  const deepest = by((finding) => finding.depth, -1);
-  const nearest = by((finding) => finding.gap, 1);
-  const largest = by((finding) => finding.size, -1);
-  const ways = { deepest: [deepest, nearest, largest], nearest: [nearest], largest: [largest], listed: [] };
-  const isListed = (finding: Finding) => finding.moment === undefined || finding.moment === moment;
-  return findings.flatMap((finding, i) => (isListed(finding) ? [i] : [])).sort((i, j) => ways[order].reduce((found, way) => found || way(i, j), 0) || i - j);
+  const keys = keysOf[order].map((key) => Float64Array.from(findings, key));
+  const listed: number[] = [];
+  findings.forEach((finding, i) => {
+    if (finding.moment === undefined || finding.moment === moment) listed.push(i);
+  });
+  return listed.sort((i, j) => {
+    for (const key of keys) if (key[i] !== key[j]) return key[i] < key[j] ? -1 : 1;
+    return i - j;
+  });
 }
 
 /// The texts of some parts, names as they are.

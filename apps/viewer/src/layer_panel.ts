@@ -43,8 +43,8 @@ export class LayerPanel {
     panel.dataset.finding = String(finding);
     const { layers } = this.data.header;
     const always = layers.filter((layer) => layer.finding === undefined && !layer.steps && !layer.moments);
-    const found = finding === undefined ? this.data.found.filter((layer) => this.findings.shown.includes(layer.role)) : this.data.layersOf(finding);
-    const roles = [...new Set([...found, ...always].map((layer) => layer.role))];
+    const found = finding === undefined ? this.data.foundRoles.filter((role) => this.findings.shown.includes(role)) : this.data.layersOf(finding).map((layer) => layer.role);
+    const roles = [...new Set([...found, ...always.map((layer) => layer.role)])];
     panel.replaceChildren(...roles.map((role) => this.roleSwitch(role, undefined, finding === undefined && role === 'contact' && areManyCurves(this.data))));
     for (const layer of layers) if (layer.moments && layer.finding === undefined) panel.append(this.roleSwitch(layer.role, layer.name), ...this.classes(layer));
     if (this.data.header.motion) panel.append(this.bodyKey());

@@ -196,9 +196,9 @@ export function merged(layers: Layer[], data: PageData): Float32Array {
 const mostCurves = 20_000; // segments
 
 /// Whether the curves of all contacts are more than can be drawn together, and told apart.
-export function areManyCurves({ found }: PageData): boolean {
+export function areManyCurves(data: PageData): boolean {
   let count = 0;
-  for (const layer of found) if (layer.kind === 'segments' && layer.role === 'contact') count += layer.data.count / 6;
+  for (const layer of data.foundOf('contact', 'segments')) count += layer.data.count / 6;
   return count > mostCurves;
 }
 
@@ -208,10 +208,10 @@ export function middles(layers: Layer[], data: PageData): Float32Array {
   layers.forEach((layer, i) => {
     const numbers = data.floats(layer.data);
     for (let axis = 0; axis < 3; ++axis) {
-      let [lower, upper] = [Infinity, -Infinity];
+      let lower = Infinity, upper = -Infinity;
       for (let at = axis; at < numbers.length; at += 3) {
-        lower = Math.min(lower, numbers[at]);
-        upper = Math.max(upper, numbers[at]);
+        if (numbers[at] < lower) lower = numbers[at];
+        if (numbers[at] > upper) upper = numbers[at];
       }
       all[3 * i + axis] = (lower + upper) / 2;
     }

@@ -16,6 +16,9 @@ import {
   Raycaster,
   Sphere,
   Vector3,
+  type Camera,
+  type Scene,
+  type WebGLRenderer,
 } from 'three';
 import { detail } from './coarse';
 import { Copies, Crowd, CrowdPart, type Drawing, type Member } from './crowd';
@@ -141,6 +144,11 @@ export class Objects {
     drawn.matrix.copy(this.matrices[object]);
     this.thin.set(object, drawn);
     this.group.add(drawn);
+  }
+
+  /// Has the graphics card make its programs, while the page does other things.
+  prepare(renderer: WebGLRenderer, camera: Camera, scene: Scene): void {
+    for (const { shown } of this.drawings) renderer.compile(shown.drawn, camera, scene);
   }
 
   /// Whether there are so many triangles that a program in place of a graphics card takes long to draw them.

@@ -43,6 +43,8 @@ export class Stage {
     this.orbit.camera.add(this.sun, this.sun.target);
     this.sun.position.set(-0.4, 0.6, 1);
     this.sun.target.position.set(0, 0, 0);
+    this.renderer.debug.checkShaderErrors = false; // to ask for them waits for the card
+    objects.prepare(this.renderer, this.orbit.camera, this.scene);
     if (canvas.clientHeight > 0) this.orbit.resize(canvas.clientWidth, canvas.clientHeight); // what is framed has to fit
     new ResizeObserver(() => this.resize()).observe(canvas);
   }

@@ -395,10 +395,10 @@ export class Viewer {
   /// While none is chosen, the curves and points of all findings: one drawing each for a role; and faces in a region. Where
   /// curves of contact are too many to be told apart, and take seconds to draw, each finding is a point in the middle of them.
   private overview(): Object3D[] {
-    const layers = this.data.found.filter((layer) => !this.state.off.has(layer.role));
     const drawn: Object3D[] = [];
     for (const role of this.findings.shown) {
-      const of = (kind: string) => layers.filter((layer) => layer.role === role && layer.kind === kind);
+      if (this.state.off.has(role)) continue;
+      const of = (kind: string) => this.data.foundOf(role, kind);
       const colour = roleColour(themes[this.state.theme], role);
       if (role === 'contact' && areManyCurves(this.data)) {
         const curves = of('segments');

@@ -10,9 +10,13 @@ const isUnseen = (c: string) => c.search(unseen) >= 0;
 const escapes = new RegExp(`\\\\(?:u([0-9a-fA-F]{4})|[^u])|${unseen.source.replace('\\u0000-\\u001f', '')}`, 'g');
 const shortEscapes: Record<string, string> = { '\\b': '\b', '\\f': '\f', '\\n': '\n', '\\r': '\r', '\\t': '\t' };
 
+/// Of JSON texts without a backslash, which hold no control character below 0x20 but those between their values.
+const unseenAsIs = new RegExp(unseen.source.replace('\\u0000-\\u001f', ''));
+
 /// What a JSON text holds, with each of them as "\u202e". It is the text that is looked through: a report has a million numbers, and to be
 /// asked about each takes seconds.
 export function parsedVisibly(json: string): unknown {
+  if (!json.includes('\\') && !unseenAsIs.test(json)) return JSON.parse(json);
   const shown = json.replace(escapes, (whole: string, code?: string) => {
     const c = code === undefined ? (shortEscapes[whole] ?? whole) : String.fromCharCode(parseInt(code, 16));
     return c.length === 1 && isUnseen(c) ? `\\\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}` : whole;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "toccata/core/status.hpp"
 #include "toccata/query/model.hpp"
 #include "toccata/query/pair_query.hpp"
+#include "toccata/shapes/triangle_mesh.hpp"
 
 namespace toccata {
 
@@ -46,6 +49,21 @@ struct OverlapVolume {
 /// Make a Model of it, once: `Model(mesh)`.
 template <class A, class B>
 requires NeedAModel<A, B> OverlapVolume overlap_volume(const A&, const B&, const PairQuery& = {})
+= delete;
+
+/// What two solids have in common, as closed meshes in the world: one of each two parts that overlap, none where they
+/// are apart or merely touch. The boundary of a body consists of the parts of each surface that lie in the other solid,
+/// cut into triangles; which these are is exact, and corners at which surfaces cross are rounded. For round shapes
+/// stand polyhedra within them. Bodies of compounds whose parts overlap may overlap too. Where the two touch beside a
+/// body, it may have a sheet without thickness.
+///
+/// Throws Error as overlap_volume does, and with the reason where a body is not proved to be right but for that
+/// rounding: a mesh passes through itself there, or what they have in common is thinner than coordinates can tell.
+[[nodiscard]] std::vector<TriangleMesh> overlap_bodies(const Model& a, const Model& b, const PairQuery& query = {});
+
+/// Make a Model of it, once: `Model(mesh)`.
+template <class A, class B>
+requires NeedAModel<A, B> std::vector<TriangleMesh> overlap_bodies(const A&, const B&, const PairQuery& = {})
 = delete;
 
 }  // namespace toccata

@@ -229,22 +229,26 @@ class WorldRecording {
 [[nodiscard]] std::string recording_glb(const CrowdRecording& recording, const ViewOptions& options = {});
 [[nodiscard]] std::string recording_glb(const WorldRecording& recording, const ViewOptions& options = {});
 
-/// The bodies that the pairs of a check have in common.
+/// The bodies that the pairs of a check have in common, in a GLB file that waits to be written.
 struct OverlapBodiesGlb {
-  std::string glb;         ///< what write_glb takes
+  /// Writes it to a file, which is complete or not there. Throws Error as write_glb does.
+  std::function<void(const std::filesystem::path&)> write;
   std::size_t bodies = 0;  ///< so many pairs have one
   /// Each pair that overlaps or crosses and has none: its place in the report, and why.
   std::vector<std::pair<std::size_t, std::string>> left_out;
+  std::size_t stopped = 0;  ///< so many of these because of `stop`
 };
 
-/// A GLB file of what each two solids have in common that overlap by the report: a closed mesh in the world, under a
-/// node "A × B". No body is there that is not proved to be right but for the rounding of its corners; of a pair that
-/// has none, as one of the two is a surface, the node tells the reason (docs/reference/exchange.md). It takes `title`
-/// and `up` of `view`, and `threads`, `progress` and `stop` of `options`. The same bytes on any number of threads.
-/// Throws Error as scene_glb does.
+/// What each two solids have in common that overlap by the report: a closed mesh in the world, under a node "A × B". No
+/// body is there that is not proved to be right but for the rounding of its corners; of a pair that has none, as one of
+/// the two is a surface, the node tells the reason (docs/reference/exchange.md). It takes `title` and `up` of `view`,
+/// and `threads`, `progress` and `stop` of `options`. The same bytes on any number of threads. With `beside`, corners
+/// and triangles wait in a file without a name in the folder of that one, and not in memory. Throws Error as scene_glb
+/// does, and naming `beside` when nothing can be written there.
 [[nodiscard]] OverlapBodiesGlb overlap_bodies_glb(const Scene& scene, std::span<const SceneInstance> models,
                                                   const CheckReport& report, const ViewOptions& view = {},
-                                                  const AskOptions& options = {});
+                                                  const AskOptions& options = {},
+                                                  const std::filesystem::path& beside = {});
 
 /// Writes what scene_glb made: the file is complete or not there. Throws Error naming the file when it exists and was
 /// not written by Toccata, or cannot be written.

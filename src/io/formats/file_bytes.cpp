@@ -13,11 +13,6 @@ namespace toccata::io {
 namespace fs = std::filesystem;
 namespace {
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
-
 std::string last_system_error() { return std::generic_category().message(errno); }
 
 void require_regular_file(const fs::path& path) {
@@ -32,36 +27,11 @@ void require_regular_file(const fs::path& path) {
     fail_in_file(path.string(), {"this is not a regular file", "save the data as a file first"});
 }
 
-/// A file that nobody else has, beside the one to be written, so that a rename is one step of the file system.
-struct TemporaryFile {
-  fs::path path;
-  File file;
-
-  explicit TemporaryFile(const fs::path& target) {
-    constexpr int attempts = 1000;
-    for (int attempt = 0; attempt < attempts && !file; ++attempt) {
-      path = target;
-      path += ".part" + std::to_string(attempt);
-      file.reset(std::fopen(path.string().c_str(), "wbx"));
-      if (!file && errno != EEXIST) break;
-    }
-    if (!file)
-      fail_in_file(target.string(),
-                   {"the file cannot be written: " + last_system_error(), "check the folder and its permissions"});
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    file.reset();
-    if (std::error_code code; !path.empty()) fs::remove(path, code);
-  }
-};
-
 }  // namespace
 
 FileBytes read_file(const fs::path& path) {
   require_regular_file(path);
-  const File file(std::fopen(path.string().c_str(), "rb"));
+  const OpenFile file(std::fopen(path.string().c_str(), "rb"));
   if (!file)
     fail_in_file(path.string(), {"the file cannot be opened: " + last_system_error(), "check the permissions"});
   std::error_code code;
@@ -75,19 +45,67 @@ FileBytes read_file(const fs::path& path) {
   return bytes;
 }
 
-void write_file(const fs::path& path, std::string_view text) {
-  TemporaryFile temporary(path);
-  const bool written = std::fwrite(text.data(), 1, text.size(), temporary.file.get()) == text.size();
-  if (!written || std::fflush(temporary.file.get()) != 0)
-    fail_in_file(path.string(), {"the file cannot be written: " + last_system_error(), "see if the disk is full"});
-  temporary.file.reset();
-  std::error_code code;
-  fs::rename(temporary.path, path, code);
-  if (code) fail_in_file(path.string(), {"the file cannot be written: " + code.message(), "choose another name"});
-  temporary.path.clear();
+FileInMaking::FileInMaking(const fs::path& target) : target_(target) {
+  constexpr int attempts = 1000;
+  for (int attempt = 0; attempt < attempts && !file_; ++attempt) {
+    path_ = target;
+    path_ += ".part" + std::to_string(attempt);
+    file_.reset(std::fopen(path_.string().c_str(), "wb+x"));
+    if (!file_ && errno != EEXIST) break;
+  }
+  if (!file_)
+    fail_in_file(target.string(),
+                 {"the file cannot be written: " + last_system_error(), "check the folder and its permissions"});
 }
 
-void require_writable(const fs::path& path) { const TemporaryFile tried(path); }
+FileInMaking::FileInMaking(FileInMaking&& other) noexcept
+    : target_(std::move(other.target_)), path_(std::exchange(other.path_, {})), file_(std::move(other.file_)) {}
+
+FileInMaking::~FileInMaking() {
+  file_.reset();
+  if (std::error_code code; !path_.empty()) fs::remove(path_, code);
+}
+
+void FileInMaking::fail() const {
+  fail_in_file(target_.string(), {"the file cannot be written: " + last_system_error(), "see if the disk is full"});
+}
+
+void FileInMaking::append(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
+}
+
+void FileInMaking::append(const FileInMaking& other) {
+  std::FILE* const from = other.file_.get();
+  if (std::fflush(from) != 0 || std::fseek(from, 0, SEEK_SET) != 0) fail();
+  constexpr std::size_t at_once = std::size_t{1} << 20;
+  std::string bytes(at_once, '\0');
+  while (const std::size_t count = std::fread(bytes.data(), 1, at_once, from))
+    append(std::string_view(bytes).substr(0, count));
+  if (std::ferror(from) != 0 || std::fseek(from, 0, SEEK_END) != 0) fail();
+}
+
+void FileInMaking::forget_name() {
+  std::error_code code;
+  fs::remove(path_, code);
+  if (!code) path_.clear();
+}
+
+void FileInMaking::complete() {
+  if (std::fflush(file_.get()) != 0) fail();
+  file_.reset();
+  std::error_code code;
+  fs::rename(path_, target_, code);
+  if (code) fail_in_file(target_.string(), {"the file cannot be written: " + code.message(), "choose another name"});
+  path_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+  FileInMaking file(path);
+  file.append(text);
+  file.complete();
+}
+
+void require_writable(const fs::path& path) { const FileInMaking tried(path); }
 
 std::string lower_case_extension(const fs::path& path) {
   std::string extension = path.extension().string();

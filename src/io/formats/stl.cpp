@@ -106,7 +106,7 @@ class BinaryStlReader {
     if (facets != room)
       fail_at_byte(name_, stl_header_size - sizeof(std::uint32_t),
                    {"a binary STL file with " + std::to_string(facets) +
-                        " facets is announced, but the file has the size of " + std::to_string(room),
+                        " facets is announced, but the file has room for " + std::to_string(room),
                     "export the mesh again, or rename the file if it is not STL"});
     if (facets == 0) fail_in_file(name_, {"there is no facet in it", "export the mesh with its faces"});
     if (facets > most_elements / 3) fail_in_file(name_, {"there are too many facets", "split the file"});

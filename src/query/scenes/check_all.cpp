@@ -233,6 +233,10 @@ class Check {
   void add_volume(PairAnswer& answer, Workspace& workspace) const {
     const PosedModel &a = posed_[answer.a], &b = posed_[answer.b];
     if (!have_common_volume(a, b)) return;
+    if (answer.relation.kind == RelationKind::touching && is_surely_touching(answer.relation)) {
+      answer.volume = OverlapVolume{};  // none, which is exact
+      return;
+    }
     const CommonSolid common = common_solid(a, b, workspace.scratch());
     answer.volume = common.volume;
     answer.common_point = common.point;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -18,6 +19,7 @@
 #include "query/volume/volume_cells.hpp"
 #include "query/volume/winding_volume.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/query/relation.hpp"
 
 namespace toccata {
 namespace {
@@ -244,6 +246,20 @@ bool have_common_volume(const PosedModel& a, const PosedModel& b) {
   return a.solid && b.solid && !(has_half_space(a) && has_half_space(b));
 }
 
+namespace {
+
+void require_volumes(const PosedModelPair& models) {
+  for (const auto& [model, name] : {std::pair(&models.a, "model a"), std::pair(&models.b, "model b")})
+    if (!model->solid)
+      throw Error(std::string(name) +
+                  " is taken as a surface, which has no volume in common with anything: ask about closed meshes and "
+                  "solid shapes");
+  if (!have_common_volume(models.a, models.b))
+    throw Error("what two half-spaces have in common has no end, and no volume: ask about a bounded solid");
+}
+
+}  // namespace
+
 CommonSolid common_solid(const PosedModel& a, const PosedModel& b, SearchScratch& scratch) {
   return CommonParts(a, b, CommonWanted::volume, scratch).found();
 }
@@ -260,6 +276,18 @@ OverlapBodies overlap_bodies(const Model& a, const Model& b, const PairQuery& qu
   return none;
 }
 
+std::vector<TriangleMesh> overlap_bodies(const Model& a, const Model& b, const PairQuery& query) {
+  Workspace workspace;
+  require_volumes(PosedModelPair(a, b, query, workspace.scratch()));
+  const Relation lie = relation(a, b, query, workspace);
+  const bool may_touch_only = lie.kind == RelationKind::touching && !lie.side_unresolved && lie.status == Status::exact;
+  if (lie.kind == RelationKind::apart || may_touch_only) return {};
+  OverlapBodies found = overlap_bodies(a, b, query, workspace);
+  if (!found.missing.empty())
+    throw Error("what they have in common is not told as closed meshes: " + found.missing + "; ask for its volume");
+  return std::move(found.pieces);
+}
+
 OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query) {
   Workspace workspace;
   return overlap_volume(a, b, query, workspace);
@@ -267,13 +295,7 @@ OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& qu
 
 OverlapVolume overlap_volume(const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
   const PosedModelPair models(a, b, query, workspace.scratch());
-  for (const auto& [model, name] : {std::pair(&models.a, "model a"), std::pair(&models.b, "model b")})
-    if (!model->solid)
-      throw Error(std::string(name) +
-                  " is taken as a surface, which has no volume in common with anything: ask about closed meshes and "
-                  "solid shapes");
-  if (!have_common_volume(models.a, models.b))
-    throw Error("what two half-spaces have in common has no end, and no volume: ask about a bounded solid");
+  require_volumes(models);
   return common_solid(models.a, models.b, workspace.scratch()).volume;
 }
 

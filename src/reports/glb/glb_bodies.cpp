@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 #include "query/scenes/task_reporter.hpp"
@@ -8,6 +12,7 @@
 #include "query/workspace_pool.hpp"
 #include "reports/glb/glb_scene.hpp"
 #include "toccata/core/parallel.hpp"
+#include "toccata/reports/output_file.hpp"
 #include "toccata/reports/pages.hpp"
 
 namespace toccata {
@@ -78,6 +83,7 @@ struct PairBody {
   RoundedBody body;
   Json extras;
   std::string missing;
+  bool was_stopped = false;
 };
 
 PairBody body_of(std::span<const SceneInstance> models, const ReportedPair& pair, Workspace& workspace) {
@@ -99,6 +105,13 @@ PairBody body_of(std::span<const SceneInstance> models, const ReportedPair& pair
   return result;
 }
 
+PairBody stopped_body() {
+  PairBody none;
+  none.missing = "the check was stopped before it was made";
+  none.was_stopped = true;
+  return none;
+}
+
 /// The places of the pairs that have a common inside, or may.
 std::vector<std::size_t> overlapping_pairs(const CheckReport& report) {
   std::vector<std::size_t> places;
@@ -109,24 +122,7 @@ std::vector<std::size_t> overlapping_pairs(const CheckReport& report) {
   return places;
 }
 
-std::vector<PairBody> bodies_of(std::span<const SceneInstance> models, const CheckReport& report,
-                                std::span<const std::size_t> places, const AskOptions& options) {
-  std::vector<PairBody> bodies(places.size());
-  WorkspacePool workspaces;
-  TaskReporter reporter(options.progress, places.size());
-  parallel_for(places.size(), options.threads, [&](std::size_t i) {
-    if (reporter.cancelled()) return;
-    if (options.stop && options.stop())
-      bodies[i].missing = "the check was stopped before it was made";
-    else
-      bodies[i] =
-          workspaces.with([&](Workspace& workspace) { return body_of(models, report.pairs[places[i]], workspace); });
-    reporter.finished_one();
-  });
-  return bodies;
-}
-
-std::size_t add_body(GlbScene& glb, const ReportedPair& pair, PairBody& made) {
+std::size_t add_body(GlbScene& glb, const ReportedPair& pair, const PairBody& made) {
   const std::string name = glb.name_of(pair.a) + " × " + glb.name_of(pair.b);
   Json extras = {{"a", glb.name_of(pair.a)}, {"b", glb.name_of(pair.b)}};
   if (pair.tolerance != ToleranceVerdict::none) extras["tolerance"] = name_of(pair.tolerance);
@@ -141,27 +137,99 @@ std::size_t add_body(GlbScene& glb, const ReportedPair& pair, PairBody& made) {
   return glb.add_node(name, {}, made.body.frame, {{"extras", std::move(extras)}, {"mesh", mesh}});
 }
 
+/// Where the bodies are.
+DisplayFrame place_of(const CheckReport& report, std::span<const std::size_t> places) {
+  Aabb all;
+  for (const std::size_t place : places)
+    if (const Aabb& box = report.pairs[place].place; is_finite(box.lower) && is_finite(box.upper))
+      all = merge(all, box);
+  return DisplayFrame::around(all);
+}
+
+/// Fills a file with bodies as they are made, on many threads, in the order of the pairs: what is made before its turn
+/// waits, and nothing is kept longer.
+class BodiesInTurn {
+ public:
+  BodiesInTurn(const CheckReport& report, std::span<const std::size_t> places, GlbScene& glb)
+      : report_(report), places_(places), glb_(glb), waiting_(places.size()) {}
+
+  void add(std::size_t i, PairBody body) {
+    const std::lock_guard lock(mutex_);
+    waiting_[i] = std::make_unique<PairBody>(std::move(body));
+    for (; next_ < waiting_.size() && waiting_[next_]; ++next_) {
+      write(places_[next_], *waiting_[next_]);
+      waiting_[next_].reset();
+    }
+  }
+
+  /// Once all are there.
+  OverlapBodiesGlb done(const ViewOptions& view, const std::string& unit) {
+    glb_.add_group("overlap bodies", with_body_);
+    glb_.add_group("without a body", without_);
+    auto [writer, root] = std::move(glb_).take(view, unit);
+    result_.bodies = with_body_.size();
+    result_.write = [file = std::make_shared<const GlbWriter>(std::move(writer)),
+                     top = root](const std::filesystem::path& path) {
+      require_output(path, OutputKind::glb);
+      file->write(top, path);
+    };
+    return std::move(result_);
+  }
+
+ private:
+  void write(std::size_t place, const PairBody& body) {
+    const std::size_t node = add_body(glb_, report_.pairs[place], body);
+    (body.missing.empty() ? with_body_ : without_).push_back(node);
+    if (!body.missing.empty()) result_.left_out.emplace_back(place, body.missing);
+    result_.stopped += body.was_stopped ? 1 : 0;
+  }
+
+  const CheckReport& report_;
+  std::span<const std::size_t> places_;
+  GlbScene& glb_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<PairBody>> waiting_;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> with_body_, without_;
+  OverlapBodiesGlb result_;
+};
+
+void make_bodies(std::span<const SceneInstance> models, const CheckReport& report, std::span<const std::size_t> places,
+                 const AskOptions& options, BodiesInTurn& bodies) {
+  WorkspacePool workspaces;
+  TaskReporter reporter(options.progress, places.size());
+  // One after the other is begun, whichever thread is free, so that few wait for their turn.
+  std::atomic<std::size_t> begun = 0;
+  const auto make_next = [&] {
+    const std::size_t i = begun++;
+    if (i >= places.size()) return;
+    const bool is_stopped = options.stop && options.stop();
+    bodies.add(i, is_stopped ? stopped_body() : workspaces.with([&](Workspace& workspace) {
+      return body_of(models, report.pairs[places[i]], workspace);
+    }));
+    reporter.finished_one();
+  };
+  parallel_for(places.size(), options.threads, [&](std::size_t) {
+    try {
+      make_next();
+    } catch (...) {
+      begun = places.size();  // nothing more
+      throw;
+    }
+  });
+}
+
 }  // namespace
 }  // namespace io
 
 OverlapBodiesGlb overlap_bodies_glb(const Scene& scene, std::span<const SceneInstance> models,
-                                    const CheckReport& report, const ViewOptions& view, const AskOptions& options) {
+                                    const CheckReport& report, const ViewOptions& view, const AskOptions& options,
+                                    const std::filesystem::path& beside) {
   const std::vector<std::size_t> places = io::overlapping_pairs(report);
-  std::vector<io::PairBody> bodies = io::bodies_of(models, report, places, options);
-  const io::ViewMeshes meshes(models);
-  io::GlbScene glb(models, meshes);
-  OverlapBodiesGlb result;
-  std::vector<std::size_t> with_body, without;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_there = bodies[i].missing.empty();
-    (is_there ? with_body : without).push_back(io::add_body(glb, report.pairs[places[i]], bodies[i]));
-    if (!is_there) result.left_out.emplace_back(places[i], bodies[i].missing);
-  }
-  glb.add_group("overlap bodies", with_body);
-  glb.add_group("without a body", without);
-  result.bodies = with_body.size();
-  result.glb = glb.file(view, scene.unit);
-  return result;
+  io::GlbScene glb(models, io::place_of(report, places), beside.empty() ? io::GlbWriter{} : io::GlbWriter(beside));
+  io::BodiesInTurn bodies(report, places, glb);
+  io::make_bodies(models, report, places, options, bodies);
+  return bodies.done(view, scene.unit);
 }
 
 }  // namespace toccata

@@ -60,7 +60,7 @@ std::vector<Vec3> GlbPlace::placed(std::span<const Vec3> points) const {
 std::string GlbScene::name_of(std::size_t object) const { return as_utf8(models_[object].name); }
 
 Pose GlbScene::pose_of(std::size_t object) const {
-  const std::optional<Pose>& fit = meshes_.drawn()[object].fit;
+  const std::optional<Pose>& fit = meshes_->drawn()[object].fit;
   return fit ? models_[object].pose * *fit : models_[object].pose;
 }
 
@@ -91,7 +91,7 @@ std::size_t GlbScene::node_at(const std::string& name, const Pose& pose, const J
   Json node = {{"name", name}};
   if (!(pose == Pose{})) node["matrix"] = matrix_of(pose);
   node.update(more);
-  return writer_.add_node(std::move(node));
+  return writer_.add_node(node);
 }
 
 std::size_t GlbScene::add_parent(const std::string& name, const std::vector<std::size_t>& children) {
@@ -141,7 +141,7 @@ std::size_t GlbScene::add_moving(const std::string& name, std::size_t child, std
   Json moving = {{"name", name}, {"children", {child}}};  // which rests at the first key
   moving.update(
       {{"translation", first(translations, 3)}, {"rotation", first(rotations, 4)}, {"scale", first(scales, 3)}});
-  const std::size_t node = writer_.add_node(std::move(moving));
+  const std::size_t node = writer_.add_node(moving);
   animate(node, "translation", times, translations, 3);
   animate(node, "rotation", times, rotations, 4);
   animate(node, "scale", times, scales, 3);
@@ -152,7 +152,7 @@ std::size_t GlbScene::add_at_pose(const std::string& name, const std::vector<std
                                   std::size_t poses, const Json& more) {
   Json node = {{"name", name}, {"children", children}};
   node.update(more);
-  const std::size_t number = writer_.add_node(std::move(node));
+  const std::size_t number = writer_.add_node(node);
   std::vector<float> times, scales;
   const auto add = [&](std::size_t i, float scale) {
     times.push_back(moment_of(i));
@@ -165,7 +165,7 @@ std::size_t GlbScene::add_at_pose(const std::string& name, const std::vector<std
   return number;
 }
 
-std::string GlbScene::file(const ViewOptions& options, const std::string& unit) {
+std::size_t GlbScene::add_root(const ViewOptions& options, const std::string& unit) {
   const Pose world = to_metres(metres_of(unit), options.up);
   Pose pose{world.linear, transform(world, frame_.origin)};
   for (int i = 0; i < 3; ++i)
@@ -176,7 +176,16 @@ std::string GlbScene::file(const ViewOptions& options, const std::string& unit) 
   if (!groups_.empty()) root["children"] = groups_;
   if (!samplers_.empty())
     writer_.add_animation({{"name", "poses"}, {"samplers", std::move(samplers_)}, {"channels", std::move(channels_)}});
-  return writer_.file(writer_.add_node(std::move(root)));
+  return writer_.add_node(root);
+}
+
+std::string GlbScene::file(const ViewOptions& options, const std::string& unit) {
+  return writer_.file(add_root(options, unit));
+}
+
+std::pair<GlbWriter, std::size_t> GlbScene::take(const ViewOptions& options, const std::string& unit) && {
+  const std::size_t root = add_root(options, unit);
+  return {std::move(writer_), root};
 }
 
 std::vector<GlbKey> keys_of(std::span<const Pose> poses) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/glb/glb_frame.hpp"
@@ -50,10 +51,14 @@ struct GlbKey {
 /// unit, the axes, and where the scene is.
 class GlbScene {
  public:
-  GlbScene(std::span<const SceneInstance> models, const ViewMeshes& meshes) : models_(models), meshes_(meshes) {}
+  GlbScene(std::span<const SceneInstance> models, const ViewMeshes& meshes)
+      : models_(models), meshes_(&meshes), frame_(GlbFrame::around(meshes.frame())) {}
+  /// For things around that place, and not for the objects: nothing is drawn of these.
+  GlbScene(std::span<const SceneInstance> models, const DisplayFrame& place, GlbWriter writer)
+      : models_(models), frame_(GlbFrame::around(place)), writer_(std::move(writer)) {}
 
   [[nodiscard]] std::span<const SceneInstance> models() const { return models_; }
-  [[nodiscard]] const ViewMeshes& meshes() const { return meshes_; }
+  [[nodiscard]] const ViewMeshes& meshes() const { return *meshes_; }
   [[nodiscard]] std::string name_of(std::size_t object) const;
   /// From what is drawn of the object to the world.
   [[nodiscard]] Pose pose_of(std::size_t object) const;
@@ -80,8 +85,11 @@ class GlbScene {
 
   /// To be asked for once.
   [[nodiscard]] std::string file(const ViewOptions& options, const std::string& unit);
+  /// What is filled, and the node under which all is.
+  std::pair<GlbWriter, std::size_t> take(const ViewOptions& options, const std::string& unit) &&;
 
  private:
+  std::size_t add_root(const ViewOptions& options, const std::string& unit);
   std::size_t node_at(const std::string& name, const Pose& pose, const Json& more);
   [[nodiscard]] GlbTurn turn_at(const std::string& name, const GlbKey& key) const;
   /// `keys` of a node's translation, rotation or scale, each held until the next.
@@ -90,8 +98,8 @@ class GlbScene {
   std::size_t material(const GlbPaint& paint);
 
   std::span<const SceneInstance> models_;
-  const ViewMeshes& meshes_;
-  GlbFrame frame_ = GlbFrame::around(meshes_.frame());
+  const ViewMeshes* meshes_ = nullptr;
+  GlbFrame frame_;
   GlbWriter writer_;
   std::map<std::string, std::size_t> materials_;
   std::vector<std::size_t> groups_;

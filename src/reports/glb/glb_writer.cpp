@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -26,14 +25,16 @@ void append_number(std::string& bytes, std::uint32_t number) {
   for (const unsigned shift : {0U, 8U, 16U, 24U}) bytes += static_cast<char>(number >> shift & 255U);
 }
 
-/// Chunks end at a multiple of four bytes.
-void append_chunk(std::string& file, std::string_view type, std::string_view content, char filling) {
-  const std::size_t missing = (4 - content.size() % 4) % 4;
-  append_number(file, static_cast<std::uint32_t>(content.size() + missing));
+/// Chunks end at a multiple of four bytes: so many are missing.
+std::size_t missing_bytes(std::size_t size) { return (4 - size % 4) % 4; }
+
+void append_chunk_head(std::string& file, std::size_t size, std::string_view type) {
+  append_number(file, static_cast<std::uint32_t>(size + missing_bytes(size)));
   file += type;
-  file += content;
-  file.append(missing, filling);
 }
+
+/// Bytes that wait in a file are given to it by so many.
+constexpr std::size_t most_in_memory = std::size_t{1} << 20;
 
 /// glTF's colours are linear. Rounded, so that every machine writes the same digits.
 double linear_part(unsigned colour, unsigned shift) {
@@ -43,20 +44,30 @@ double linear_part(unsigned colour, unsigned shift) {
 
 }  // namespace
 
-template <class Number>
-std::size_t GlbWriter::add_view(std::span<const Number> numbers, std::optional<int> target) {
-  bytes_.resize((bytes_.size() + 3) / 4 * 4);
-  const std::size_t at = bytes_.size();
-  bytes_.resize(at + numbers.size_bytes());
-  std::memcpy(bytes_.data() + at, numbers.data(), numbers.size_bytes());
-  Json& view = views_.emplace_back(Json{{"buffer", 0}, {"byteOffset", at}, {"byteLength", numbers.size_bytes()}});
-  if (target) view["target"] = *target;
-  return views_.size() - 1;
+std::size_t JsonList::add(const Json& value) {
+  if (size_ > 0) text_ += ',';
+  text_ += value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return size_++;
 }
 
-std::size_t GlbWriter::add_accessor(Json accessor) {
-  accessors_.push_back(std::move(accessor));
-  return accessors_.size() - 1;
+GlbWriter::GlbWriter(const std::filesystem::path& beside) : waiting_(beside) { waiting_->forget_name(); }
+
+void GlbWriter::add_bytes(std::string_view bytes) {
+  bytes_ += bytes;
+  size_ += bytes.size();
+  if (!waiting_ || bytes_.size() < most_in_memory) return;
+  waiting_->append(bytes_);
+  bytes_.clear();
+}
+
+template <class Number>
+std::size_t GlbWriter::add_view(std::span<const Number> numbers, std::optional<int> target) {
+  add_bytes(filling());
+  Json view{{"buffer", 0}, {"byteOffset", size_}, {"byteLength", numbers.size_bytes()}};
+  if (target) view["target"] = *target;
+  const auto bytes = std::as_bytes(numbers);
+  add_bytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return views_.add(view);
 }
 
 std::size_t GlbWriter::add_points(std::span<const std::array<float, 3>> points) {
@@ -66,12 +77,12 @@ std::size_t GlbWriter::add_points(std::span<const std::array<float, 3>> points) 
       least[axis] = std::min(least[axis], point[axis]);
       greatest[axis] = std::max(greatest[axis], point[axis]);
     }
-  return add_accessor({{"bufferView", add_view(points, array_buffer)},
-                       {"componentType", of_floats},
-                       {"count", points.size()},
-                       {"type", "VEC3"},
-                       {"min", least},
-                       {"max", greatest}});
+  return accessors_.add({{"bufferView", add_view(points, array_buffer)},
+                         {"componentType", of_floats},
+                         {"count", points.size()},
+                         {"type", "VEC3"},
+                         {"min", least},
+                         {"max", greatest}});
 }
 
 std::size_t GlbWriter::add_corners(std::span<const Index> corners, std::size_t points) {
@@ -84,10 +95,10 @@ std::size_t GlbWriter::add_corners(std::span<const Index> corners, std::size_t p
     for (const Index corner : corners) shorts.push_back(static_cast<std::uint16_t>(corner));
     return add_view(std::span<const std::uint16_t>(shorts), element_array_buffer);
   };
-  return add_accessor({{"bufferView", write()},
-                       {"componentType", is_short ? of_shorts : of_integers},
-                       {"count", corners.size()},
-                       {"type", "SCALAR"}});
+  return accessors_.add({{"bufferView", write()},
+                         {"componentType", is_short ? of_shorts : of_integers},
+                         {"count", corners.size()},
+                         {"type", "SCALAR"}});
 }
 
 Json GlbWriter::add_part(const GlbPart& part, GlbMode mode) {
@@ -106,19 +117,12 @@ std::size_t GlbWriter::add_material(const std::string& name, unsigned colour, do
         {"roughnessFactor", 0.8}}},
       {"doubleSided", true}};
   if (cover < 1) material["alphaMode"] = "BLEND";
-  materials_.push_back(std::move(material));
-  return materials_.size() - 1;
+  return materials_.add(material);
 }
 
-std::size_t GlbWriter::add_mesh(Json mesh) {
-  meshes_.push_back(std::move(mesh));
-  return meshes_.size() - 1;
-}
+std::size_t GlbWriter::add_mesh(const Json& mesh) { return meshes_.add(mesh); }
 
-std::size_t GlbWriter::add_node(Json node) {
-  nodes_.push_back(std::move(node));
-  return nodes_.size() - 1;
-}
+std::size_t GlbWriter::add_node(const Json& node) { return nodes_.add(node); }
 
 std::size_t GlbWriter::add_keys(std::span<const float> numbers, std::size_t width) {
   const char* type = width == 1 ? "SCALAR" : width == 3 ? "VEC3" : "VEC4";
@@ -130,38 +134,54 @@ std::size_t GlbWriter::add_keys(std::span<const float> numbers, std::size_t widt
     accessor["min"] = {numbers.front()};
     accessor["max"] = {numbers.back()};
   }
-  return add_accessor(std::move(accessor));
+  return accessors_.add(accessor);
 }
 
-void GlbWriter::add_animation(Json animation) { animations_.push_back(std::move(animation)); }
+void GlbWriter::add_animation(const Json& animation) { animations_.add(animation); }
 
-std::string GlbWriter::file(std::size_t root) const {
-  Json top = {{"asset", {{"version", "2.0"}, {"generator", fmt::format("Toccata {}", version)}}},
-              {"scene", 0},
-              {"scenes", {{{"nodes", {root}}}}},
-              {"nodes", nodes_}};
-  const auto add = [&](const char* name, const Json& all) {
-    if (!all.empty()) top[name] = all;  // an empty list is no glTF
+std::string GlbWriter::filling() const { return std::string(missing_bytes(size_), '\0'); }
+
+std::string GlbWriter::head(std::size_t root) const {
+  const Json first = {{"asset", {{"version", "2.0"}, {"generator", fmt::format("Toccata {}", version)}}},
+                      {"scene", 0},
+                      {"scenes", {{{"nodes", {root}}}}}};
+  std::string text = first.dump();
+  text.pop_back();
+  const auto add = [&](std::string_view name, const std::string& all) {
+    if (!all.empty()) text += fmt::format(R"(,"{}":[{}])", name, all);  // an empty list is no glTF
   };
-  add("meshes", meshes_);
-  add("materials", materials_);
-  add("animations", animations_);
-  add("accessors", accessors_);
-  add("bufferViews", views_);
-  if (!bytes_.empty()) top["buffers"] = {{{"byteLength", bytes_.size()}}};
-  const std::string text = top.dump(-1, ' ', false, Json::error_handler_t::replace);
+  add("nodes", nodes_.text());
+  add("meshes", meshes_.text());
+  add("materials", materials_.text());
+  add("animations", animations_.text());
+  add("accessors", accessors_.text());
+  add("bufferViews", views_.text());
+  if (size_ > 0) text += fmt::format(R"(,"buffers":[{{"byteLength":{}}}])", size_);
+  text += '}';
   constexpr std::size_t headers = 28, fillings = 6;
-  const std::size_t most = text.size() + bytes_.size() + headers + fillings;
+  const std::size_t most = text.size() + size_ + headers + fillings;
   if (most > std::numeric_limits<std::uint32_t>::max())
     throw Error(fmt::format("the GLB file would have {:.1f} GB, and 4.2 are the most: export fewer objects",
                             static_cast<double>(most) / 1e9));
   std::string chunks;
-  append_chunk(chunks, "JSON", text, ' ');
-  if (!bytes_.empty()) append_chunk(chunks, std::string_view("BIN\0", 4), bytes_, '\0');
+  append_chunk_head(chunks, text.size(), "JSON");
+  chunks += text;
+  chunks.append(missing_bytes(text.size()), ' ');
+  if (size_ > 0) append_chunk_head(chunks, size_, std::string_view("BIN\0", 4));
   std::string file = "glTF";
   append_number(file, 2);
-  append_number(file, static_cast<std::uint32_t>(12 + chunks.size()));
+  append_number(file, static_cast<std::uint32_t>(12 + chunks.size() + size_ + missing_bytes(size_)));
   return file += chunks;
+}
+
+std::string GlbWriter::file(std::size_t root) const { return head(root) + bytes_ + filling(); }
+
+void GlbWriter::write(std::size_t root, const std::filesystem::path& path) const {
+  FileInMaking file(path);
+  file.append(head(root));
+  if (waiting_) file.append(*waiting_);
+  file.append(bytes_ + filling());
+  file.complete();
 }
 
 }  // namespace toccata::io
