@@ -4,11 +4,8 @@
 #include <toccata/core/status.hpp>
 #include <toccata/core/version.hpp>
 
-<<<<<<< HEAD
 #include "arrays.hpp"
-=======
 #include "overlap_bodies.hpp"
->>>>>>> 47d21d740748a307f7822637764be5818bd2f0ea
 #include "shapes.hpp"
 
 namespace nb = nanobind;
