@@ -35,7 +35,7 @@ std::string text_of(const pugi::xml_document& document) {
   return text.str();
 }
 
-void add_text(pugi::xml_node node, const char* name, const std::string& text) {
+void add_text_node(pugi::xml_node node, const char* name, const std::string& text) {
   node.append_child(name).text().set(text.c_str());
 }
 
@@ -84,7 +84,7 @@ std::string version_xml(BcfVersion version) {
   document.append_child(pugi::node_comment).set_value(" BCF of Toccata ");
   pugi::xml_node version_node = document.append_child("Version");
   version_node.append_attribute("VersionId").set_value(version == BcfVersion::v2_1 ? "2.1" : "3.0");
-  if (version == BcfVersion::v2_1) add_text(version_node, "DetailedVersion", "2.1");
+  if (version == BcfVersion::v2_1) add_text_node(version_node, "DetailedVersion", "2.1");
   return text_of(document);
 }
 
@@ -94,7 +94,7 @@ std::string extensions_xml() {
   pugi::xml_node extensions = document.append_child("Extensions");
   const auto add_list = [&](const char* list, const char* entry, std::initializer_list<const char*> words) {
     pugi::xml_node node = extensions.append_child(list);
-    for (const char* word : words) add_text(node, entry, word);
+    for (const char* word : words) add_text_node(node, entry, word);
   };
   add_list("TopicTypes", "TopicType", {clash_type, remark_type});
   add_list("TopicStatuses", "TopicStatus", {open_status, closed_status});
@@ -113,8 +113,8 @@ pugi::xml_node begin_topic(pugi::xml_node markup, const std::string& guid, const
 }
 
 void add_creation(pugi::xml_node topic) {
-  add_text(topic, "CreationDate", date_text());
-  add_text(topic, "CreationAuthor", author);
+  add_text_node(topic, "CreationDate", date_text());
+  add_text_node(topic, "CreationAuthor", author);
 }
 
 constexpr const char* viewpoint_file = "viewpoint.bcfv";
@@ -124,7 +124,7 @@ std::string viewpoint_guid(const std::string& topic) { return guid_of("viewpoint
 void add_viewpoint(pugi::xml_node parent, const char* name, const std::string& topic) {
   pugi::xml_node viewpoint = parent.append_child(name);
   viewpoint.append_attribute("Guid").set_value(viewpoint_guid(topic).c_str());
-  add_text(viewpoint, "Viewpoint", viewpoint_file);
+  add_text_node(viewpoint, "Viewpoint", viewpoint_file);
 }
 
 std::string markup_xml(BcfVersion version, const Findings& findings, const ReportedPair& pair, std::size_t number,
@@ -133,15 +133,15 @@ std::string markup_xml(BcfVersion version, const Findings& findings, const Repor
   pugi::xml_document document = begun_document();
   pugi::xml_node markup = document.append_child("Markup");
   pugi::xml_node topic = begin_topic(markup, guid, clash_type, is_clash(pair) ? open_status : closed_status);
-  add_text(topic, "Title", sentence_of(scene, pair));
-  add_text(topic, "Index", fmt::format("{}", number));
+  add_text_node(topic, "Title", sentence_of(scene, pair));
+  add_text_node(topic, "Index", fmt::format("{}", number));
   if (version == BcfVersion::v2_1)
-    add_text(topic, "Labels", kind_of_finding(pair));
+    add_text_node(topic, "Labels", kind_of_finding(pair));
   else
-    add_text(topic.append_child("Labels"), "Label", kind_of_finding(pair));
+    add_text_node(topic.append_child("Labels"), "Label", kind_of_finding(pair));
   add_creation(topic);
   const std::vector<std::string> details = details_of(scene, pair, findings.report.baseline.has_value());
-  if (!details.empty()) add_text(topic, "Description", fmt::format("{}", fmt::join(details, "\n")));
+  if (!details.empty()) add_text_node(topic, "Description", fmt::format("{}", fmt::join(details, "\n")));
   if (version == BcfVersion::v2_1)
     add_viewpoint(markup, "Viewpoints", guid);
   else
@@ -153,8 +153,8 @@ std::string markup_xml(BcfVersion version, const Findings& findings, const Repor
 std::string unfinished_markup_xml(std::size_t unfinished, const std::string& guid) {
   pugi::xml_document document = begun_document();
   pugi::xml_node topic = begin_topic(document.append_child("Markup"), guid, remark_type, open_status);
-  add_text(topic, "Title",
-           fmt::format("The check was stopped: {} not looked at, these are not all", counted(unfinished, "pair")));
+  add_text_node(topic, "Title",
+                fmt::format("The check was stopped: {} not looked at, these are not all", counted(unfinished, "pair")));
   add_creation(topic);
   return text_of(document);
 }
@@ -174,15 +174,15 @@ void add_component(pugi::xml_node parent, const std::string& name) {
   pugi::xml_node component = parent.append_child("Component");
   if (const std::string guid = ifc_guid_in(name); !guid.empty())
     component.append_attribute("IfcGuid").set_value(guid.c_str());
-  add_text(component, "OriginatingSystem", "Toccata");
-  add_text(component, "AuthoringToolId", printable(name));
+  add_text_node(component, "OriginatingSystem", "Toccata");
+  add_text_node(component, "AuthoringToolId", printable(name));
 }
 
 void add_vector(pugi::xml_node parent, const char* name, const Vec3& v) {
   pugi::xml_node node = parent.append_child(name);
-  add_text(node, "X", fmt::format("{}", v.x));
-  add_text(node, "Y", fmt::format("{}", v.y));
-  add_text(node, "Z", fmt::format("{}", v.z));
+  add_text_node(node, "X", fmt::format("{}", v.x));
+  add_text_node(node, "Y", fmt::format("{}", v.y));
+  add_text_node(node, "Z", fmt::format("{}", v.z));
 }
 
 /// From the south-east and above, so far that the place takes about a third of the picture.
@@ -196,8 +196,8 @@ void add_camera(BcfVersion version, pugi::xml_node parent, const Aabb& place) {
   add_vector(camera, "CameraDirection", direction);
   const Vec3 side = normalized(cross(direction, Vec3{0, 0, 1}));
   add_vector(camera, "CameraUpVector", cross(side, direction));
-  add_text(camera, "FieldOfView", "60");
-  if (version == BcfVersion::v3_0) add_text(camera, "AspectRatio", "1");
+  add_text_node(camera, "FieldOfView", "60");
+  if (version == BcfVersion::v3_0) add_text_node(camera, "AspectRatio", "1");
 }
 
 std::string viewpoint_xml(BcfVersion version, const Scene& scene, const ReportedPair& pair, const std::string& guid) {
