@@ -113,8 +113,8 @@ class HeldWorld {
   mutable std::optional<WorldQueries> queries_{};
 };
 
-/// Up to so many bodies are asked one against the others without a tree. Of ten thousand at random places both ways
-/// take about as long; of few, the tree takes several times as long.
+/// Up to so many bodies are asked without a tree: of 200 balls that touch nothing that takes a quarter of the time, of
+/// these half, and beyond them it grows faster than with the tree.
 constexpr std::size_t few_bodies = 2000;
 
 bool any_overlap_in(const HeldWorld& held) {
