@@ -37,7 +37,7 @@ class PairsInOrder {
 };
 
 template <class Pair>
-bool comes_before(const Pair& a, const Pair& b) {
+bool is_less_by_ids(const Pair& a, const Pair& b) {
   return ids_of(a) < ids_of(b);
 }
 
@@ -47,7 +47,7 @@ std::vector<Pair> take_unordered(std::vector<Pair>& pairs) {
   std::vector<Pair> taken;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (kept == 0 || !comes_before(pairs[i], pairs[kept - 1])) {
+    if (kept == 0 || !is_less_by_ids(pairs[i], pairs[kept - 1])) {
       if (kept != i) pairs[kept] = std::move(pairs[i]);
       ++kept;
       continue;
@@ -65,7 +65,7 @@ void put_among(std::vector<Pair>& pairs, std::vector<Pair> more) {
   auto kept = static_cast<std::ptrdiff_t>(pairs.size());
   pairs.resize(pairs.size() + more.size());
   for (auto to = pairs.end(); !more.empty();) {
-    const bool is_kept_next = kept > 0 && comes_before(more.back(), pairs[static_cast<std::size_t>(kept - 1)]);
+    const bool is_kept_next = kept > 0 && is_less_by_ids(more.back(), pairs[static_cast<std::size_t>(kept - 1)]);
     *--to = std::move(is_kept_next ? pairs[static_cast<std::size_t>(--kept)] : more.back());
     if (!is_kept_next) more.pop_back();
   }
@@ -77,7 +77,7 @@ template <class Pair>
 void sort_by_ids(std::vector<Pair>& pairs) {
   std::vector<Pair> unordered = take_unordered(pairs);
   if (unordered.empty()) return;
-  std::sort(unordered.begin(), unordered.end(), comes_before<Pair>);
+  std::sort(unordered.begin(), unordered.end(), is_less_by_ids<Pair>);
   put_among(pairs, std::move(unordered));
 }
 
