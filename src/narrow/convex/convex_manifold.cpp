@@ -217,8 +217,8 @@ Manifold of_boxes(const PosedPolytope& a, const PosedPolytope& b, const BoxAxes&
   return made_of(axis.direction, points);
 }
 
-/// Points are rounded more than this; a depth that is told as one is told (penetration) takes twice the digits where it
-/// is shallow.
+/// How wide the bracket of the depth may be that a manifold begins with, relative: it proves the direction, and limits
+/// the depths of points, which are rounded. What `penetration` tells is narrower, with twice the digits where shallow.
 constexpr double width_of_depth = 0x1p-24;
 
 /// How shapes that meet are parted.

@@ -9,28 +9,22 @@
 namespace toccata {
 namespace {
 
-/// In the world.
-Vec3 vertex_of(const PosedPolytope& shape, Index i) {
-  const Vec3 stored{shape.along(0)[i], shape.along(1)[i], shape.along(2)[i]};
-  return shape.in_world() ? stored : world_vertex(shape.pose(), stored);
-}
-
 /// The sum of a fan's normals: not of length 1, and inwards when the pose mirrors.
-Vec3 area_vector(const PosedPolytope& shape, Index face) {
-  const HullTopology topology = shape.topology();
+Vec3 area_vector(const SupportSearch& shape, Index face) {
+  const HullTopology topology = shape.shape().topology();
   const Index first = topology.face_start[face], last = topology.face_start[face + 1];
-  const Vec3 origin = vertex_of(shape, topology.origin[first]);
-  Vec3 sum, spoke = vertex_of(shape, topology.origin[first + 1]) - origin;
+  const Vec3 origin = shape.vertex(topology.origin[first]);
+  Vec3 sum, spoke = shape.vertex(topology.origin[first + 1]) - origin;
   for (Index h = first + 2; h < last; ++h) {
-    const Vec3 next = vertex_of(shape, topology.origin[h]) - origin;
+    const Vec3 next = shape.vertex(topology.origin[h]) - origin;
     sum = sum + cross(spoke, next);
     spoke = next;
   }
   return sum;
 }
 
-void consider(ContactFace& best, Index face, const Vec3& direction, double mirrored) {
-  const Vec3 area = mirrored * area_vector(*best.shape, face);
+void consider(ContactFace& best, const SupportSearch& shape, Index face, const Vec3& direction, double mirrored) {
+  const Vec3 area = mirrored * area_vector(shape, face);
   const double length = std::sqrt(dot(area, area));
   if (best.face == ContactFace::none) best.face = face;
   if (!(length > 0)) return;
@@ -64,19 +58,21 @@ double turn_of_faces(const Mat3& linear) {
 ContactFace facing_face(const PosedPolytope& shape, const Vec3& direction) {
   ContactFace best;
   best.shape = &shape;
-  best.vertex = SupportSearch(shape, support_kernels()).least(-direction);
+  const SupportKernels kernels = support_kernels();
+  const SupportSearch search(shape, kernels);
+  best.vertex = search.least(-direction);
   const HullTopology topology = shape.topology();
   if (topology.face_count() == 0) return best;
   const double mirrored = turn_of_faces(shape.pose().linear);
   const Index start = topology.leaving[best.vertex];
   // A vertex between the ends of a triangle without area has no half-edge; its segment is the only face.
   if (topology.origin[start] != best.vertex) {
-    consider(best, 0, direction, mirrored);
+    consider(best, search, 0, direction, mirrored);
     return best;
   }
   Index half_edge = start;
   do {
-    consider(best, topology.face[half_edge], direction, mirrored);
+    consider(best, search, topology.face[half_edge], direction, mirrored);
     half_edge = topology.next(topology.twin[half_edge]);
   } while (half_edge != start);
   return best;
