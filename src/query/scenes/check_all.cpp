@@ -200,8 +200,7 @@ class Check {
 
   /// Tells the depth by which it was decided.
   [[nodiscard]] PairAnswer::Tolerance verdict_on(PairAnswer& answer, double tolerance, Workspace& workspace) const {
-    const bool may_overlap = answer.relation.kind != RelationKind::touching || !is_surely_touching(answer.relation);
-    if (!may_overlap) return PairAnswer::Tolerance::none;
+    if (are_surely_touching(answer.relation)) return PairAnswer::Tolerance::none;
     DepthOptions depth = options_.depth;
     for (const double narrower : {1.0, 0x1p-3, 0x1p-7}) {
       depth.precision = narrower * options_.depth.precision;
@@ -211,10 +210,6 @@ class Check {
       if (answer.penetration->lower > tolerance) return PairAnswer::Tolerance::beyond;
     }
     return PairAnswer::Tolerance::undecided;
-  }
-
-  static bool is_surely_touching(const Relation& relation) {
-    return relation.status == Status::exact && !relation.side_unresolved;
   }
 
   /// The narrower of what is known and what is found.
@@ -233,7 +228,7 @@ class Check {
   void add_volume(PairAnswer& answer, Workspace& workspace) const {
     const PosedModel &a = posed_[answer.a], &b = posed_[answer.b];
     if (!have_common_volume(a, b)) return;
-    if (answer.relation.kind == RelationKind::touching && is_surely_touching(answer.relation)) {
+    if (are_surely_touching(answer.relation)) {
       answer.volume = OverlapVolume{};  // none, which is exact
       return;
     }

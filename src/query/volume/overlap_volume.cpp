@@ -280,8 +280,7 @@ std::vector<TriangleMesh> overlap_bodies(const Model& a, const Model& b, const P
   Workspace workspace;
   require_volumes(PosedModelPair(a, b, query, workspace.scratch()));
   const Relation lie = relation(a, b, query, workspace);
-  const bool may_touch_only = lie.kind == RelationKind::touching && !lie.side_unresolved && lie.status == Status::exact;
-  if (lie.kind == RelationKind::apart || may_touch_only) return {};
+  if (lie.kind == RelationKind::apart || are_surely_touching(lie)) return {};
   OverlapBodies found = overlap_bodies(a, b, query, workspace);
   if (!found.missing.empty())
     throw Error("what they have in common is not told as closed meshes: " + found.missing + "; ask for its volume");

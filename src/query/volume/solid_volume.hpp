@@ -25,4 +25,9 @@ struct CommonSolid {
 /// Both are solids, and not both half-spaces.
 [[nodiscard]] bool have_common_volume(const PosedModel& a, const PosedModel& b);
 
+/// They touch, which is decided and hides no overlap: solids that do have no volume in common.
+[[nodiscard]] inline bool are_surely_touching(const Relation& relation) {
+  return relation.kind == RelationKind::touching && relation.status == Status::exact && !relation.side_unresolved;
+}
+
 }  // namespace toccata
