@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "broad/float_boxes.hpp"
 #include "math/constants.hpp"
@@ -31,10 +32,10 @@ BoxSample::Spread spread_of(std::vector<double>& values, double high) {
 BoxSample::BoxSample(std::span<const Aabb> boxes) {
   constexpr std::size_t wanted = 1024;
   constexpr double most = std::numeric_limits<double>::max();
-  const std::size_t step = std::max<std::size_t>(1, boxes.size() / wanted);
   std::vector<Aabb> sample;
-  for (std::size_t i = 0; i < boxes.size(); i += step)
+  visit_sample(boxes.size(), wanted, [&](std::size_t i) {
     if (!is_empty(boxes[i])) sample.push_back(boxes[i]);
+  });
   bounds_ = finite_bounds(sample);
   size_ = sample.size();
   std::vector<double> places, sizes;
@@ -53,13 +54,27 @@ BoxSample::BoxSample(std::span<const Aabb> boxes) {
 
 namespace {
 
+/// All numbers below `count`, or about `wanted` of them, ascending.
+std::vector<std::size_t> numbers_by_chance(std::size_t count, std::size_t wanted) {
+  std::vector<std::size_t> numbers(std::min(count, wanted));
+  if (count <= wanted) {
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return numbers;
+  }
+  Random random(count);
+  for (std::size_t& number : numbers) number = random.below(count);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 /// So many that their pairs are about as many as there are boxes: then as many of them are near each other, however
 /// many there are, and looking at them takes as long as a look at all boxes.
 std::vector<Aabb> few_of(std::span<const Aabb> boxes) {
   const auto wanted =
       static_cast<std::size_t>(std::clamp(1.25 * std::sqrt(static_cast<double>(boxes.size())), 64.0, 1024.0));
   std::vector<Aabb> few;
-  for (std::size_t i = 0, step = std::max<std::size_t>(1, boxes.size() / wanted); i < boxes.size(); i += step)
+  for (const std::size_t i : numbers_by_chance(boxes.size(), wanted))
     if (!is_empty(boxes[i])) few.push_back(boxes[i]);
   return few;
 }

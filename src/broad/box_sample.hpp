@@ -1,15 +1,29 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "toccata/bounds/aabb.hpp"
+#include "toccata/core/random.hpp"
 
 namespace toccata {
 
-/// What boxes are like, from about a thousand of them, evenly chosen by number.
+/// Calls `visit(number)` for about `wanted` of `count` numbers, which ascend: one by chance from each stretch of as many,
+/// so that the sample does not follow a period in which things lie beside each other. The same ones each time.
+template <class Visit>
+void visit_sample(std::size_t count, std::size_t wanted, const Visit& visit) {
+  const std::size_t step = std::max<std::size_t>(1, count / wanted);
+  Random random(count);
+  for (std::size_t begin = 0; begin < count; begin += step) {
+    const std::size_t stretch = std::min(step, count - begin);
+    visit(begin + ((random.bits() >> 32) * stretch >> 32));
+  }
+}
+
+/// What boxes are like, from about a thousand of them.
 class BoxSample {
  public:
   explicit BoxSample(std::span<const Aabb> boxes);
@@ -34,7 +48,8 @@ class BoxSample {
   std::size_t size_ = 0;
 };
 
-/// How crowded boxes are, from all pairs of a few hundred.
+/// How crowded boxes are, from all pairs of a few hundred, each of which may be any of the boxes: of a few from each
+/// stretch of numbers, fewer would be near each other, where boxes that are near have numbers that are.
 struct BoxDensity {
   BoxDensity(const BoxSample& sample, std::span<const Aabb> boxes);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "broad/box_lanes.hpp"
+#include "broad/box_sample.hpp"
 #include "broad/finders.hpp"
 #include "broad/method_cells.hpp"
 #include "broad/tile_split.hpp"
@@ -91,12 +92,10 @@ class Tile {
   std::vector<std::uint32_t> sides_, ends_, count_, slice_of_;
 };
 
-/// Boxes to be sampled: every so many.
 void take_sample(std::span<const FlatBox> boxes, std::vector<FlatBox>& sample) {
   const std::size_t wanted = std::clamp<std::size_t>(boxes.size() / 16, 64, 1024);
-  const std::size_t step = std::max<std::size_t>(1, boxes.size() / wanted);
   sample.clear();
-  for (std::size_t i = 0; i < boxes.size(); i += step) sample.push_back(boxes[i]);
+  visit_sample(boxes.size(), wanted, [&](std::size_t i) { sample.push_back(boxes[i]); });
 }
 
 TileRegion part_of(const TileRegion& whole, const TileSplit& split, std::size_t slab) {
@@ -248,8 +247,9 @@ class KdTiles final : public PairFinder {
   void split_at_top(const BoxesNow& now) {
     const std::size_t count = now.boxes.size();
     std::vector<Aabb> chosen;
-    for (std::size_t i = 0, step = std::max<std::size_t>(1, count / 1024); i < count; i += step)
+    visit_sample(count, 1024, [&](std::size_t i) {
       if (!is_empty(now.boxes[i])) chosen.push_back(now.boxes[i]);
+    });
     frame_ = FloatFrame(finite_bounds(chosen));
     sample_.clear();
     for (const Aabb& box : chosen) sample_.push_back(flat_box(frame_, box, 0));
