@@ -158,7 +158,7 @@ TEST_F(CheckBaseline, SeesTurnsAndOtherUnits) {
   const std::string straight = "[1,0,0, 0,1,0, 0,0,1, 0,0,0]", turned = "[0,-1,0, 1,0,0, 0,0,1, 0,0,0]";
   folder.write("old.json", R"({"schema": "toccata/check/2", "objects": [{"name": "box"}], "pairs": []})");
   Json first = {{"schema", "toccata/check/2"}, {"unit", "m"}};
-  first["pairs"] = {state("m", 1, straight)};
+  first["pairs"] = Json::array({state("m", 1, straight)});  // braces alone copy the pair, as some compilers see them
   first["objects"] = Json::parse(run_command({"check", "scene.json", "--json"}, folder.path()).out)["objects"];
   folder.write("old.json", first.dump());
   EXPECT_EQ(state("m", 1, straight)["baseline"], "known");

@@ -191,7 +191,7 @@ class TwoShapes : public ShapeCommands {
                            R"(", "shape": )" + shape + "}]}");
   }
 
-  test::CommandResult run(std::vector<std::string> words) { return run_command(words, folder.path()); }
+  test::CommandResult run(const std::vector<std::string>& words) { return run_command(words, folder.path()); }
 
   const std::string rows = "1 0 0 0 1 0 0 0 1 ";
 };

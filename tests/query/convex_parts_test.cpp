@@ -59,7 +59,7 @@ void expect_contained(const ConvexParts& parts, const TriangleMesh& mesh, int sa
 }
 
 ConvexParts checked(const TriangleMesh& mesh, const DecompositionOptions& options = {}, int samples = 500) {
-  const ConvexParts parts = decompose(mesh, options);
+  ConvexParts parts = decompose(mesh, options);
   EXPECT_GE(parts.parts.size(), 1U);
   EXPECT_LE(parts.parts.size(), options.max_parts);
   double sum = 0;
