@@ -11,8 +11,8 @@
 
 namespace toccata {
 
-/// Calls `visit(number)` for about `wanted` of `count` numbers, which ascend: one by chance from each stretch of as many,
-/// so that the sample does not follow a period in which things lie beside each other. The same ones each time.
+/// Calls `visit(number)` for about `wanted` of `count` numbers, which ascend: one by chance from each stretch of as
+/// many, so that the sample does not follow a period in which things lie beside each other. The same ones each time.
 template <class Visit>
 void visit_sample(std::size_t count, std::size_t wanted, const Visit& visit) {
   const std::size_t step = std::max<std::size_t>(1, count / wanted);
