@@ -32,8 +32,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 EVIDENCE = ROOT / "docs/evidence/python.json"
 # How much longer a batch may take from Python than from C++.
 MOST_OVER_CPP = 1.05
-# How often Python and C++ are asked in turns, each in a process of its own: where a process has its memory makes as much
-# of a difference, and that of the turns is the median.
+# How often Python and C++ are asked in turns, each in a process of its own, as single turns differ by a fifth.
 TURNS = 7
 # Of managers: their questions take less than the machine takes to change its pace.
 MANAGER_ROUNDS = 40
