@@ -218,6 +218,19 @@ TEST_P(RoundDepths, HaveTheSameBitsAtEveryLevel) {
   }
 }
 
+// Where cores meet, the general search answers; where it begins must not depend on the form.
+TEST_P(RoundDepths, HaveTheSameBitsInAllFormsWhereCoresMeet) {
+  RoundPairs pairs(90 + GetParam());
+  for (int k = 0; k < fewer_under_tsan(400); ++k) {
+    const ConvexCase pair = pairs.deep(kind_a(), kind_b(), pairs.between(0, 0.6));
+    const Contacts found = comparable(of_any_shapes(pair));
+    const std::optional<Contacts> typed = of_posed(pair), given = of_given(pair);
+    ASSERT_TRUE(typed && given);
+    EXPECT_TRUE(comparable(*typed) == found) << to_text(pair);
+    EXPECT_TRUE(comparable(*given) == found) << to_text(pair);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, RoundDepths, testing::Range<std::size_t>(0, 5));
 
 // Rounding bends the faces of a box that is far from the origin: one of the two ways to cut each in triangles is right.

@@ -11,6 +11,7 @@
 #include "math/lanes.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/fast_expansion.hpp"
+#include "narrow/convex/vertices_of.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
@@ -145,7 +146,7 @@ double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y),
 class Expansion {
  public:
   Expansion(const PosedPolytope& a, const PosedPolytope& b, FastSurface& surface)
-      : a_(a), b_(b), between_(b.pose().offset - a.pose().offset), s_(surface) {}
+      : a_(a), b_(b), between_(place_of(b) - place_of(a)), s_(surface) {}
 
   enum class Start { tetrahedron, icosahedron };
 

@@ -6,6 +6,7 @@
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/close_rise.hpp"
 #include "narrow/convex/edge_walk.hpp"
+#include "narrow/convex/vertices_of.hpp"
 
 namespace toccata {
 namespace {
@@ -211,7 +212,7 @@ double SupportSearch::least_depth(const SupportScan& scan) const {
 GjkEnd search_nearest(const SupportSearch& a, const SupportSearch& b, const VertexPairs& start, const GjkGoal& goal) {
   GjkWalk walk(a, b, goal);
   // False only when that is the goal.
-  if (start.size == 0 && !walk.step_along(a.shape().pose().offset - b.shape().pose().offset)) return walk.end();
+  if (start.size == 0 && !walk.step_along(place_of(a.shape()) - place_of(b.shape()))) return walk.end();
   for (std::size_t i = 0; i < start.size && !walk.end().inside; ++i) walk.step_to(start.a[i], start.b[i]);
   int step = 0;
   // Where momentum leads no farther, the search goes on without: it has not ended before that says so.

@@ -81,7 +81,9 @@ RoundedBody rounded_body(const OverlapBodies& bodies) {
 /// What is written of a pair: a body, or why there is none.
 struct PairBody {
   RoundedBody body;
-  Json extras;
+  OverlapVolume volume;         ///< of all that the two have in common
+  bool are_within = false;      ///< the pieces are polyhedra within what is common
+  bool pieces_overlap = false;  ///< or may
   std::string missing;
   bool was_stopped = false;
 };
@@ -97,11 +99,9 @@ PairBody body_of(std::span<const SceneInstance> models, const ReportedPair& pair
     result.missing = "it is thinner than the floats of a GLB file tell apart";
     return result;
   }
-  result.extras["volume"] = {{"lower", bodies.volume.lower}, {"upper", bodies.volume.upper}};
-  result.extras["mesh_volume"] = result.body.volume;
-  result.extras["rounding"] = result.body.rounding;
-  if (bodies.are_within) result.extras["within"] = true;
-  if (bodies.may_overlap) result.extras["pieces_may_overlap"] = true;
+  result.volume = bodies.volume;
+  result.are_within = bodies.are_within;
+  result.pieces_overlap = bodies.may_overlap;
   return result;
 }
 
@@ -130,7 +130,11 @@ std::size_t add_body(GlbScene& glb, const ReportedPair& pair, const PairBody& ma
     extras["left_out"] = made.missing;
     return glb.add_node(name, {}, {}, {{"extras", std::move(extras)}});
   }
-  extras.update(made.extras);
+  extras["volume"] = {{"lower", made.volume.lower}, {"upper", made.volume.upper}};
+  extras["mesh_volume"] = made.body.volume;
+  extras["rounding"] = made.body.rounding;
+  if (made.are_within) extras["within"] = true;
+  if (made.pieces_overlap) extras["pieces_may_overlap"] = true;
   Json parts = Json::array();
   for (const GlbPart& piece : made.body.pieces) parts.push_back(glb.part(piece, GlbMode::triangles, body_paint));
   const std::size_t mesh = glb.add_mesh(name, std::move(parts));

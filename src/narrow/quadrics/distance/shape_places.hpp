@@ -1,5 +1,6 @@
 #pragma once
 
+#include "narrow/convex/vertices_of.hpp"
 #include "narrow/quadrics/kinds/quadric_kind.hpp"
 #include "toccata/narrow/posed_polytope.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -9,9 +10,6 @@ namespace toccata {
 
 /// An inner point, or one of the shape where it has none; rounded.
 inline Vec3 middle_of(const PosedQuadric& shape) { return shape.pose().offset; }
-inline Vec3 middle_of(const PosedPolytope& shape) {
-  return 0.5 * shape.vertex(0) + 0.5 * shape.vertex(shape.vertex_count() - 1);
-}
 
 /// Calls visit(point): of a quadric the middle, the ends of the half axes, and those of its caps.
 template <class Visit>
