@@ -16,7 +16,7 @@ import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from browser import Browser, find_chromium, rows_of  # noqa: E402
+from browser import Browser, find_chromium  # noqa: E402
 from check_pages import BOX, Checks, moved  # noqa: E402
 from pixels import is_blue, is_orange, share  # noqa: E402
 
@@ -63,7 +63,7 @@ def full_picture(browser):
     """What is seen of the canvas, point by point."""
     x, y, width, height = browser.value(CANVAS)
     clip = {"x": x, "y": y, "width": width, "height": height, "scale": 1}
-    return rows_of(base64.b64decode(browser.call("Page.captureScreenshot", format="png", clip=clip)["data"]))
+    return browser.rows_of(browser.call("Page.captureScreenshot", format="png", clip=clip)["data"])
 
 
 def write_files(checks):
@@ -313,7 +313,7 @@ def check_picture(checks, browser):
         if not name.exists():
             return
     browser.value("for (const id of ['found', 'layers', 'axes', 'scale']) document.getElementById(id).style.visibility = 'hidden'")
-    saved, seen = rows_of(name.read_bytes()), full_picture(browser)
+    saved, seen = browser.rows_of(base64.b64encode(name.read_bytes()).decode()), full_picture(browser)
     width, height = browser.value("[toccata.stage.canvas.clientWidth, toccata.stage.canvas.clientHeight]")
     checks.expect((len(saved[0]), len(saved)) == (width, height), f"the picture has {len(saved[0])} x {len(saved)} points")
     places = list(itertools.product(range(0, height, 2), range(0, width, 2)))

@@ -1,10 +1,8 @@
 """Every kind of layer is one drawing call, curves in creases are seen, and a page says what it shows where nothing was asked."""
-import base64
 import pathlib
 import re
 import time
 
-from browser import rows_of
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs/reference/view-page.md"
 # How many calls fewer there are without each layer that is drawn, by kind.
@@ -90,7 +88,7 @@ OUTSIDE = """(() => {
 
 def full_picture(browser):
     time.sleep(0.3)
-    return rows_of(base64.b64decode(browser.call("Page.captureScreenshot", format="png")["data"]))
+    return browser.rows_of(browser.call("Page.captureScreenshot", format="png")["data"])
 
 
 def darkest(picture, x, y):

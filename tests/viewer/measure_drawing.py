@@ -8,7 +8,6 @@ of the page, and stops when it has handed over the picture of all triangles; a p
 both objects are seen in it is then checked. Exits with 1 where they are not, 2 for trouble.
 """
 import argparse
-import base64
 import json
 import os
 import pathlib
@@ -21,7 +20,7 @@ import types
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent / "apps/bench")]
-from browser import Browser, find_chromium, rows_of  # noqa: E402
+from browser import Browser, find_chromium  # noqa: E402
 from measure_clashes import write_meshes  # noqa: E402
 from pixels import is_blue, is_orange, share  # noqa: E402
 
@@ -67,9 +66,9 @@ def opened_once(page, size):
         wall = time.monotonic() - started
         processor = processor_seconds(browser.process.pid) - before
         complaints = browser.complaints()
+        rows = browser.rows_of(picture)
     if complaints:
         raise RuntimeError(f"{page.name}: {complaints}")
-    rows = rows_of(base64.b64decode(picture))
     if (len(rows[0]), len(rows)) != size:
         raise RuntimeError(f"{page.name}: the picture is of {len(rows[0])}x{len(rows)} points")
     return {"drawn_s": drawn, "first_processor_s": of_first, "picture_s": wall, "processor_s": processor, "blue": share(rows, is_blue), "orange": share(rows, is_orange)}

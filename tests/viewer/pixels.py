@@ -8,9 +8,9 @@ def share(picture, is_colour):
 
 def differing(one, other):
     """The share of pixels of the scene that differ, and by how much they do at most; beside it are lists and buttons."""
-    rows = [(row[165:], line[165:]) for row, line in zip(one[30:], other[30:])]
-    differences = [max(abs(x - y) for x, y in zip(p, q)) for row, line in rows for p, q in zip(row, line)]
-    return sum(difference > 4 for difference in differences) / len(differences), max(differences)
+    pairs = [pair for row, line in zip(one[30:], other[30:]) for pair in zip(row[165:], line[165:])]
+    differences = [max(abs(x - y) for x, y in zip(p, q)) for p, q in pairs if p != q]
+    return sum(difference > 4 for difference in differences) / len(pairs), max(differences, default=0)
 
 
 def is_blue(pixel):
