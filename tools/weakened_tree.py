@@ -124,6 +124,11 @@ def enclosing_headers(source, position):
             depth -= depth > 0
 
 
+def is_class(header):
+    """Whether what stands in front of a brace begins a class, also a template of one, and no function."""
+    return re.match(r"\s*(?:template\s*<[^;{}]*>\s*)?(?:struct|class)\b", header) is not None
+
+
 class Rewriting:
     """Of one file: replacements that may lie in one another."""
 
@@ -156,7 +161,7 @@ class Rewriting:
         """The `constexpr` after the position becomes `const`; a local one is static, so that lambdas need not capture it."""
         found = re.compile(r"(?:\bstatic\s+)?\bconstexpr\b").search(self.source, position)
         headers = list(enclosing_headers(self.source, found.start()))
-        in_class = bool(headers) and re.search(r"\b(struct|class)\b", headers[0]) is not None
+        in_class = bool(headers) and is_class(headers[0])
         in_function = bool(headers) and not in_class and "namespace" not in headers[0]
         word = "static inline const" if in_class else "static const" if in_function else "const"
         part = (found.start(), found.end(), None, word)
@@ -165,7 +170,7 @@ class Rewriting:
 
     def is_global(self, position):
         """Whether what is declared there can be read in other files."""
-        return all("namespace" in header or re.search(r"\b(struct|class)\b", header) for header in enclosing_headers(self.source, position))
+        return all("namespace" in header or is_class(header) for header in enclosing_headers(self.source, position))
 
     def text(self, start=0, end=None):
         end = len(self.source) if end is None else end
