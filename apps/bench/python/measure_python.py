@@ -32,8 +32,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 EVIDENCE = ROOT / "docs/evidence/python.json"
 # How much longer a batch may take from Python than from C++.
 MOST_OVER_CPP = 1.05
-# How often Python and C++ are asked in turns, each in a process of its own, as single turns differ by a fifth.
-TURNS = 7
+# How often Python and C++ are asked in turns, each in a process of its own on one core, as single turns differ by a fifth.
+TURNS = 21
 # Of managers: their questions take less than the machine takes to change its pace.
 MANAGER_ROUNDS = 40
 
@@ -150,7 +150,7 @@ def measure_batch(mesh: str, count: int, library: pathlib.Path | None) -> dict:
         with tempfile.TemporaryDirectory() as folder:
             in_cpp = cpp_program(pathlib.Path(folder), mesh, poses, library)
             in_python = [sys.executable, str(pathlib.Path(__file__).with_name("batch.py")), *in_cpp[1:]]
-            runs = [(run(in_cpp), run(in_python)) for _ in range(TURNS)]
+            runs = [in_turn(in_cpp, in_python, turn) for turn in range(TURNS)]
         told["C++, nanoseconds a call of distance"] = round(min(cpp[2] for cpp, _ in runs) * 1e9)
         told["microseconds a pose"] = min(python[0] for _, python in runs) / count * 1e6
         told["C++, microseconds a pose"] = min(cpp[0] for cpp, _ in runs) / count * 1e6
@@ -173,9 +173,19 @@ def cpp_program(folder: pathlib.Path, mesh: str, poses: numpy.ndarray, library: 
     return [str(program), mesh, str(file), str(len(poses))]
 
 
+def in_turn(one: list[str], other: list[str], turn: int) -> tuple[list[float], list[float]]:
+    """What two programs tell, of which each is the first in every second turn: a machine changes its pace."""
+    if turn % 2 == 0:
+        return run(one), run(other)
+    later = run(other)
+    return run(one), later
+
+
 def run(program: list[str]) -> list[float]:
     """Processor seconds of the batch, how many meet, and in C++ seconds of a call."""
-    return [float(word) for word in subprocess.run(program, capture_output=True, text=True, check=True).stdout.split()]
+    core = min(os.sched_getaffinity(0))
+    result = subprocess.run(program, capture_output=True, text=True, check=True, preexec_fn=lambda: os.sched_setaffinity(0, {core}))
+    return [float(word) for word in result.stdout.split()]
 
 
 def measure_manager(count: int, spread: float) -> dict:
