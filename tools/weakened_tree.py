@@ -125,8 +125,9 @@ def enclosing_headers(source, position):
 
 
 def is_class(header):
-    """Whether what stands in front of a brace begins a class, also a template of one, and no function."""
-    return re.match(r"\s*(?:template\s*<[^;{}]*>\s*)?(?:struct|class)\b", header) is not None
+    """Whether what stands in front of a brace ends with the name of a class, also of a template of one, and is no function."""
+    name = r"^\s*(?:template\s*<[^;{}]*>\s*)?(?:struct|class)\s+(?:alignas\([^)]*\)\s*)?\w+\s*(?:<[^;{}()]*>\s*)?(?:final\s*)?(?::[^;{}()]*)?\Z"
+    return re.search(name, header, re.MULTILINE) is not None
 
 
 class Rewriting:
