@@ -51,10 +51,22 @@ def processor_seconds(process):
     return sum(count for one, count in ticks.items() if is_of_it(one)) / os.sysconf("SC_CLK_TCK")
 
 
+def wait_for_rest(process):
+    """Chromium loads hundreds of files of its own when it starts, which no page waits for in a browser that a person has open."""
+    before = processor_seconds(process)
+    for _ in range(100):
+        time.sleep(0.25)
+        now = processor_seconds(process)
+        if now - before < 0.03:
+            return
+        before = now
+
+
 def opened_once(page, size):
     width, height = size
     with Browser(width, height) as browser:
         browser.resize(width, height)
+        wait_for_rest(browser.process.pid)
         before, started = processor_seconds(browser.process.pid), time.monotonic()
         browser.call("Page.navigate", url=f"file://{page}#theme=light")
         while not browser.value(DRAWN):
