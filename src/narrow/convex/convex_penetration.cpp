@@ -34,6 +34,12 @@ std::optional<Penetration> penetration_by_closed_form(const PosedPolytope& a, co
   return penetration_of_boxes(a, b);
 }
 
+/// Of solids that rounding has not flattened.
+Penetration of_full_solids(const PosedPolytope& a, const PosedPolytope& b) {
+  if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
+  return flipped(part_by_expansion(b, a).penetration);
+}
+
 }  // namespace
 
 void require_solids(const PosedPolytope& a, const PosedPolytope& b) {
@@ -50,14 +56,12 @@ Penetration without_depth(const PosedPolytope& a, const PosedPolytope& b) {
 
 Penetration penetration_by_expansion(const PosedPolytope& a, const PosedPolytope& b) {
   require_solids(a, b);
-  if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
-  if (is_canonical_order(a, b)) return part_by_expansion(a, b).penetration;
-  return flipped(part_by_expansion(b, a).penetration);
+  return is_flattened(a) || is_flattened(b) ? without_depth(a, b) : of_full_solids(a, b);
 }
 
 Penetration penetration(const PosedPolytope& a, const PosedPolytope& b, SimplexCache* workspace) {
-  if (is_flattened(a) || is_flattened(b)) return penetration_by_expansion(a, b);
   require_solids(a, b);
+  if (is_flattened(a) || is_flattened(b)) return without_depth(a, b);
   const Penetration of_primitives = depth_of_primitives(a, b);
   std::optional<Penetration> found;
   if (is_known(of_primitives)) found = of_primitives;
@@ -67,7 +71,7 @@ Penetration penetration(const PosedPolytope& a, const PosedPolytope& b, SimplexC
     return *found;
   }
   if (workspace != nullptr) ++workspace->counts.certificates;
-  return penetration_by_expansion(a, b);
+  return of_full_solids(a, b);
 }
 
 }  // namespace toccata
