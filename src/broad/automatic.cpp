@@ -112,6 +112,9 @@ class Automatic final : public PairFinder {
   static constexpr double clearly_better = 0.8;
   static constexpr double surely_better = 0.5;  ///< what is only expected, than what is measured
   static constexpr double most_worse = 1.5;     ///< than the present: what is expected to be worse is not tried
+  /// How many times as long as expected a machine takes at most: where the present method takes longer, it is not the
+  /// machine, but the boxes lie otherwise than the sample says, and the others are not expected to be slower, too.
+  static constexpr double slowest_machine = 8;
   static constexpr std::size_t updates_of_memory = 1000;
   static constexpr std::size_t calm = 32;  ///< updates longer than patience demands: the motion stays what it is
   static constexpr std::size_t most_patience = 128;
@@ -179,7 +182,8 @@ class Automatic final : public PairFinder {
     const Candidate* known = nullptr;
     for (const Candidate& other : candidates_)
       if (other.measured && (known == nullptr || other.method == method_)) known = &other;
-    return known == nullptr ? one.expected : one.expected * known->measured->milliseconds / known->expected;
+    if (known == nullptr) return one.expected;
+    return one.expected * std::min(known->measured->milliseconds / known->expected, slowest_machine);
   }
   /// None where there is no other.
   [[nodiscard]] const Candidate* next_best() const {
