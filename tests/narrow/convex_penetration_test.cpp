@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -78,6 +79,41 @@ TEST(ConvexPenetration, OfShapesApartIsZero) {
 
 // Apart by less than the least double: of the facets of their difference one has the origin before it, and another,
 // which doubles cannot tell from it, has it behind.
+double reach(const PosedPolytope& shape, const Vec3& direction) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < shape.vertex_count(); ++i) farthest = std::max(farthest, dot(direction, shape.vertex(i)));
+  return farthest + shape.radius();
+}
+
+TEST(ConvexPenetration, OfShapesApartHasADirectionAlongWhichTheyAre) {
+  Random random(31);
+  const auto coordinates = [&](double size) {
+    return Vec3{random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+  };
+  int apart = 0;
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Vec3> points(10);
+    for (Vec3& point : points) point = coordinates(1);
+    const ConvexHull hull(points);
+    const Pose pose_a = Pose::rotation(coordinates(1), 40),
+               pose_b = Pose::translation(coordinates(4)) * pose_a * pose_a;
+    const PosedPolytope a = k % 3 == 0 ? PosedPolytope(Rounded(hull, 0.25), pose_a) : PosedPolytope(hull, pose_a);
+    const PosedPolytope b =
+        k % 2 == 0 ? PosedPolytope(Capsule({-1, 0, 0}, {1, 0.5, 0}, 0.5), pose_b) : PosedPolytope(hull, pose_b);
+    const Penetration found = penetration(a, b), exchanged = penetration(b, a);
+    if (overlap(a, b)) continue;
+    ++apart;
+    const Vec3& n = found.direction;
+    EXPECT_EQ(found.upper, 0);
+    EXPECT_NEAR(dot(n, n), 1, 1e-14);
+    EXPECT_LT(reach(a, n), -reach(b, -n));
+    EXPECT_NEAR(dot(n, found.on_a), reach(a, n), 1e-13);
+    EXPECT_NEAR(dot(n, found.on_b), -reach(b, -n), 1e-13);
+    EXPECT_TRUE(exchanged.direction == -n && exchanged.on_a == found.on_b && exchanged.on_b == found.on_a);
+  }
+  EXPECT_GT(apart, 200);
+}
+
 TEST(ConvexPenetration, OfShapesApartByLessThanADoubleIsZero) {
   const double hair = std::numeric_limits<double>::denorm_min();
   const std::vector<Vec3> of_a{{3, -1 + 0x1p-53, 6}, {4, 0, 7},  {2, -hair, 5}, {4, -2 + 0x1p-52, 6}, {3, 0, 5},
