@@ -67,16 +67,11 @@ ContactPatch patch_of_second(const PosedPolytope& shape, const QuadricBody&, con
   return patch_of(scaled, frame.factor * frame.origin, contact.at, -1, touching, memory);
 }
 
-/// Most of what is apart: it needs no contact, and the longer way may leave it undecided.
-template <class B>
-bool is_apart_fast(const PosedQuadric& a, const B& b, const PairFrame& frame) {
-  return is_fast(a, b, frame) && FastPair(a, b, frame).is_apart();
-}
-
 template <class B>
 Manifold manifold_of(const PosedQuadric& a, const B& b) {
+  // Most of what is apart needs no contact, and the longer way may leave it undecided.
+  if (fast_contact(a, b) == QuadricContact::apart) return {};
   const PairFrame frame = pair_frame(a, b);
-  if (is_apart_fast(a, b, frame)) return {};
   const QuadricBody body_a(a, frame), body_b(b, frame);
   const QuadricNearest met = nearest_of(a, body_a, b, body_b, QuadricQuestion::meeting);
   if (met.contact == QuadricContact::apart) return {};

@@ -105,8 +105,8 @@ Penetration shallow_penetration(const QuadricNearest& near) {
 
 template <class B>
 Penetration penetration_of(const PosedQuadric& shape_a, const B& shape_b) {
+  if (fast_contact(shape_a, shape_b) == QuadricContact::apart) return {};
   const PairFrame frame = pair_frame(shape_a, shape_b);
-  if (is_fast(shape_a, shape_b, frame) && FastPair(shape_a, shape_b, frame).is_apart()) return {};
   const QuadricBody a(shape_a, frame), b(shape_b, frame);
   DeepPair pair(a, b);
   if (!pair.certainly_meet()) {

@@ -2,6 +2,8 @@
 
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/close_rise.hpp"
+#include "narrow/quadrics/distance/axial_box.hpp"
+#include "narrow/quadrics/distance/ellipsoid_pair.hpp"
 #include "narrow/quadrics/distance/fast_overlap.hpp"
 
 namespace toccata {
@@ -112,5 +114,24 @@ double FastPair<B>::lower_along(const Vec3& direction) {
 
 template class FastPair<PosedQuadric>;
 template class FastPair<PosedPolytope>;
+
+namespace {
+
+template <class B>
+std::optional<QuadricContact> contact_in_doubles(const PosedQuadric& a, const B& b) {
+  const PairFrame frame = pair_frame(a, b);
+  return is_fast(a, b, frame) ? FastPair(a, b, frame).contact() : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedQuadric& b) {
+  if (const auto found = ellipsoid_contact(a, b)) return found;
+  return contact_in_doubles(a, b);
+}
+std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedPolytope& b) {
+  if (const auto found = axial_box_contact(a, b)) return found;
+  return contact_in_doubles(a, b);
+}
 
 }  // namespace toccata

@@ -48,4 +48,8 @@ class FastPair {
   bool is_guess_ = false;
 };
 
+/// Apart or contact, and both of most pairs: by the way of those that have one of their own, else by `FastPair`.
+[[nodiscard]] std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedQuadric& b);
+[[nodiscard]] std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedPolytope& b);
+
 }  // namespace toccata

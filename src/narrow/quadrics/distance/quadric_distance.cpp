@@ -49,20 +49,9 @@ Distance in_world(const QuadricNearest& found, const PairFrame& frame) {
   return result;
 }
 
-/// The contact of pairs that have a way of their own.
-std::optional<QuadricContact> closed_contact(const PosedQuadric& a, const PosedQuadric& b) {
-  return ellipsoid_contact(a, b);
-}
-std::optional<QuadricContact> closed_contact(const PosedQuadric& a, const PosedPolytope& b) {
-  return axial_box_contact(a, b);
-}
-
 template <class B>
 QuadricContact contact_of(const PosedQuadric& a, const B& b) {
-  if (const auto found = closed_contact(a, b)) return *found;
-  const PairFrame frame = pair_frame(a, b);
-  if (is_fast(a, b, frame))
-    if (const auto quick = FastPair(a, b, frame).contact()) return *quick;
+  if (const auto found = fast_contact(a, b)) return *found;
   const Pair pair(a, b);
   return nearest_of(a, pair.a, b, pair.b, QuadricQuestion::meeting).contact;
 }
