@@ -194,12 +194,10 @@ std::optional<CoreSeparation> part_shallow_boxes(const PosedPolytope& a, const P
 
 /// The corner of the formula that is farthest along a direction.
 Vec3 farthest_point(const BoxView& box, const Vec3& direction) {
-  Vec3 point = box.box->centre;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 axis = box.axis(k);
-    point = point + std::copysign(box.half_extent(k), dot(axis, direction)) * axis;
-  }
-  return point;
+  const Mat3& axes = *box.axes;
+  const Vec3 along = direction.x * axes[0] + direction.y * axes[1] + direction.z * axes[2];
+  const auto [x, y, z] = box.box->half_extents;
+  return box.box->centre + axes * Vec3{std::copysign(x, along.x), std::copysign(y, along.y), std::copysign(z, along.z)};
 }
 
 /// The answer for boxes that an axis parts, which needs neither the nearest points nor the way between them.
