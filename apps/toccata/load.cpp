@@ -119,7 +119,7 @@ fs::path path_of(const std::string& file, const std::string& folder) {
 }
 
 std::string unit_text(const std::string& file, const Scene& scene) {
-  return scene.unit == "unit" ? file + " states no unit" : fmt::format("{} is in {}", file, scene.unit);
+  return scene.unit == "unit" ? file + " states no unit" : fmt::format("{} has the unit {}", file, scene.unit);
 }
 
 /// The files, each once.
@@ -170,17 +170,27 @@ bool has_its_own_unit(const std::string& file, const InputArguments& input) {
   return states_its_unit(file == standard_input ? "input." + input.format : file);
 }
 
-/// Throws Error where the unit of the scene is not known.
-Scene in_metres(Scene scene, const std::string& file) {
-  if (scene.unit == "unit")
+/// Of the unit of a scene, which is no "unit".
+double metres_of(std::string_view unit) {
+  if (unit.ends_with(" m")) unit.remove_suffix(2);  // metres per unit, as a number
+  return metres_per_unit(unit);
+}
+
+/// Throws Error where the unit of the scene is not known. `why` is told.
+void make_metres(ConvertedScene& read, const std::string& file, std::string_view why) {
+  const std::string unit = read.scene.unit;
+  if (unit == "unit")
     throw Error(
         fmt::format("{}: its unit is \"unit\", which is no length that could become the metres of --unit; "
                     "change \"unit\" there, or leave out --unit",
                     file));
-  const std::string unit = scene.unit.ends_with(" m") ? scene.unit.substr(0, scene.unit.size() - 2) : scene.unit;
-  scene = scaled(std::move(scene), metres_per_unit(unit));
-  scene.unit = "m";
-  return scene;
+  read.scene = scaled(std::move(read.scene), metres_of(unit));
+  read.scene.unit = "m";
+  if (unit != "m")
+    read.notes.push_back(
+        fmt::format("{}: its unit is {}; {} its numbers are made metres and rounded to doubles: "
+                    "what touches or fits exactly there may not any more",
+                    file, unit, why));
 }
 
 /// The same in metres, where --unit says what the numbers of some other file are.
@@ -189,14 +199,29 @@ ConvertedScene read_file(const std::string& file, const fs::path& path, const In
   if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
   options.metres_per_unit.reset();
   ConvertedScene read = read_as_it_is(file, path, input, options);
-  const std::string unit = read.scene.unit;
-  read.scene = in_metres(std::move(read.scene), file);
-  if (unit != "m")
-    read.notes.push_back(
-        fmt::format("{}: its unit is {}; for the sake of --unit its numbers are made metres and rounded to doubles: "
-                    "what touches or fits exactly there may not any more",
-                    file, unit));
+  make_metres(read, file, "for the sake of --unit");
   return read;
+}
+
+using ScenesRead = std::map<std::string, ConvertedScene>;
+
+bool states_unit(const ScenesRead::value_type& read) { return read.second.scene.unit != "unit"; }
+
+/// Where files state different units, all become metres, in whatever order they are named. Throws Error where one
+/// states none beside such.
+void make_units_equal(ScenesRead& read) {
+  const auto first = std::find_if(read.begin(), read.end(), states_unit);
+  const auto other = std::find_if(first, read.end(), [&](const ScenesRead::value_type& one) {
+    return states_unit(one) && metres_of(one.second.scene.unit) != metres_of(first->second.scene.unit);
+  });
+  if (other == read.end()) return;
+  const std::string stated = fmt::format("{} and {}", unit_text(first->first, first->second.scene),
+                                         unit_text(other->first, other->second.scene));
+  const auto none = std::find_if_not(read.begin(), read.end(), states_unit);
+  if (none != read.end())
+    throw Error(fmt::format("{} states no unit, and {}: say with --unit what its numbers are", none->first, stated));
+  const std::string why = fmt::format("since {},", stated);
+  for (auto& [file, one] : read) make_metres(one, file, why);
 }
 
 /// Throws Error where --unit is about none of the files.
@@ -207,7 +232,7 @@ void require_use_of_unit(const InputArguments& input) {
 }
 
 /// The scenes of all files, several at once; one that is named twice is read once.
-std::map<std::string, ConvertedScene> read_all(const InputArguments& input) {
+ScenesRead read_all(const InputArguments& input) {
   const std::vector<std::string> files = different_files(input.files);
   std::vector<fs::path> paths;
   for (const std::string& file : files) paths.push_back(path_of(file, input.folder));
@@ -219,8 +244,9 @@ std::map<std::string, ConvertedScene> read_all(const InputArguments& input) {
     scenes[i] = read_file(files[i], paths[i], input);
     progress.finished(i);
   });
-  std::map<std::string, ConvertedScene> read;
+  ScenesRead read;
   for (std::size_t i = 0; i < files.size(); ++i) read.emplace(files[i], std::move(scenes[i]));
+  make_units_equal(read);
   return read;
 }
 
@@ -253,7 +279,9 @@ LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   require_use_of_unit(input);
   LoadedScene loaded;
-  const std::map<std::string, ConvertedScene> read = read_all(input);
+  const ScenesRead read = read_all(input);
+  const auto stated = std::find_if(read.begin(), read.end(), states_unit);
+  loaded.scene.unit = stated == read.end() ? "unit" : stated->second.scene.unit;
   FreeNames names;
   std::set<std::string> known;
   for (const std::string& file : input.files) {
@@ -263,13 +291,11 @@ LoadedScene load(const InputArguments& input) {
     const Scene& scene = read.at(file).scene;
     if (file_is_new)
       loaded.warnings.insert(loaded.warnings.end(), read.at(file).notes.begin(), read.at(file).notes.end());
-    if (loaded.scene.objects.empty()) loaded.scene.unit = scene.unit;
     loaded.units.push_back(scene.unit);
     if (scene.unit != loaded.scene.unit)
       loaded.warnings.push_back(
-          fmt::format("{}, but {}: coordinates are compared as they are; say what the unit is with "
-                      "--unit, or in a scene file",
-                      unit_text(file, scene), unit_text(input.files.front(), loaded.scene)));
+          fmt::format("{} states no unit, and {}: its numbers are taken for {}, too; say with --unit what they are",
+                      file, unit_text(stated->first, stated->second.scene), loaded.scene.unit));
     append(loaded.scene, scene, file, file_is_new, names);
   }
   SharedMeshes().share(loaded.scene);

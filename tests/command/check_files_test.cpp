@@ -137,6 +137,47 @@ TEST_F(CheckFiles, AUnitIsOfTheFilesThatStateNone) {
             std::string::npos);
 }
 
+/// An inch is 25.4 mm: the two overlap by half a millimetre, which nobody sees who takes their numbers as they are.
+TEST_F(CheckFiles, OfDifferentUnitsBecomeMetresInAnyOrder) {
+  const auto write = [&](const char* name, const char* unit, double middle, double half) {
+    folder.write(name, Json{{"format", "toccata-scene"},
+                            {"version", 1},
+                            {"unit", unit},
+                            {"objects",
+                             {{{"name", name},
+                               {"shape", {{"type", "box"}, {"half_extents", {half, half, half}}}},
+                               {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, middle, 0, 0}}}}}}
+                           .dump());
+  };
+  write("in.json", "in", 0, 0.5);
+  write("mm.json", "mm", 17.2, 5);
+  for (const Words& files : {Words{"in.json", "mm.json"}, Words{"mm.json", "in.json"}}) {
+    const auto result = run({"check", files[0], files[1], "--penetration", "--json"});
+    const Json report = Json::parse(result.out);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(report["unit"], "m");
+    EXPECT_NEAR(report["pairs"][0]["penetration"]["upper"].get<double>(), 0.0005, 1e-12);
+    ASSERT_EQ(report["warnings"].size(), 2U) << report["warnings"];
+    EXPECT_NE(report["warnings"][0].get<std::string>().find(
+                  files[0] + ": its unit is " + files[0].substr(0, 2) +
+                  "; since in.json has the unit in and mm.json has the unit mm, its numbers are made metres"),
+              std::string::npos)
+        << report["warnings"];
+    EXPECT_EQ(run({"check", files[0], files[1], "--clearance", "1mm"}).exit_code, 1);
+  }
+  EXPECT_NE(trouble({"in.json", "two.obj", "mm.json"})
+                .find("two.obj states no unit, and in.json has the unit in and mm.json has the unit mm: "
+                      "say with --unit"),
+            std::string::npos);
+  for (const Words& files : {Words{"two.obj", "mm.json"}, Words{"mm.json", "two.obj"}}) {
+    const Json report = Json::parse(run({"check", files[0], files[1], "--json"}).out);
+    EXPECT_EQ(report["unit"], "mm");
+    EXPECT_EQ(report["warnings"],
+              Json::array({"two.obj states no unit, and mm.json has the unit mm: its numbers are taken for mm, too; "
+                           "say with --unit what they are"}));
+  }
+}
+
 TEST_F(CheckFiles, SplitMakesPartsObjectsAndAReportTellsSo) {
   EXPECT_NE(trouble({"two.obj"}).find("one object"), std::string::npos);
   EXPECT_EQ(names_in({"two.obj", "--split"}), (Words{"left", "right"}));

@@ -56,7 +56,7 @@ class CheckLong : public testing::Test {
 
 /// "checking 12/780, 3 s, 4.1 a second, some 3 min left", its numbers in step with each other.
 void expect_rate_and_time_left(const std::string& seen) {
-  const std::regex form(R"(checking[^\n]* (\d+)/(\d+), (\d+) s, ([\d.e+]+) a second, some (\d+) (s|min) left)");
+  const std::regex form(R"(checking[^\r\n]* (\d+)/(\d+), (\d+) s, ([\d.e+]+) a second, some (\d+) (s|min) left)");
   std::smatch found;
   ASSERT_TRUE(std::regex_search(seen, found, form)) << seen;
   const double done = std::stod(found[1]), total = std::stod(found[2]), seconds = std::stod(found[3]),
