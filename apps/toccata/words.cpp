@@ -17,11 +17,18 @@ std::size_t width_of(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+/// Six, or as many as leave three behind the point where coordinates are large.
+int digits_of(const Vec3& point) {
+  const double largest = std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});
+  return largest >= 1000 && largest < 1e13 ? 4 + static_cast<int>(std::log10(largest)) : 6;
+}
+
 }  // namespace
 
 std::string point_text(const Vec3& point) {
   // Adding 0 takes the sign from a zero, which means nothing to people.
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.x + 0.0, point.y + 0.0, point.z + 0.0);
+  return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", point.x + 0.0, digits_of(point), point.y + 0.0, digits_of(point),
+                     point.z + 0.0, digits_of(point));
 }
 
 std::string distance_text(const Distance& distance) {

@@ -247,6 +247,9 @@ Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
   if (!is_report_of_check(top))
     top.fail("this is no report that can be a baseline",
              "name a file that `check --json` wrote, without --poses or --self");
+  if (top.has("unfinished"))
+    top.fail("the check that wrote this report was stopped, so that what it does not tell may have been there",
+             "name the report of a check that came to its end");
   require_common_object(top, scene);
   Baseline baseline{file, {}, {}};
   for (const io::JsonValue& pair : top.elements("pairs")) baseline.pairs.push_back(former_pair_of(pair));

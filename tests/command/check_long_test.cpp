@@ -126,6 +126,14 @@ TEST_F(CheckLong, AtItsLimitACheckTellsWhatIsLeftAndNeverLooksComplete) {
   const Json json = Json::parse(with({"--json"}).out);
   EXPECT_EQ(json["unfinished"], 780);
   EXPECT_EQ(json["candidate_pairs"], 780);
+  const std::string csv = with({"--csv"}).out;
+  EXPECT_NE(csv.find("\n780 pairs not looked at,,unfinished,,,"), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), ','),
+            2 * std::count(csv.begin(), csv.begin() + static_cast<std::ptrdiff_t>(csv.find('\n')), ','));
+  folder.write("stopped.json", json.dump());
+  const auto compared = run({"check", "heap.json", "--baseline", "stopped.json"});
+  EXPECT_EQ(compared.exit_code, 2);
+  EXPECT_NE(compared.err.find("the check that wrote this report was stopped"), std::string::npos) << compared.err;
   const std::vector<Json> lines = lines_of(with({"--stream"}).out);
   EXPECT_EQ(lines.back()["complete"], false);
   EXPECT_EQ(lines.back()["unfinished"], 780);

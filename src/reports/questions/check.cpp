@@ -218,6 +218,14 @@ std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
   return csv;
 }
 
+/// A last line of as many fields, where the check was stopped: the others are not all there is.
+std::string csv_of_unfinished(const CheckReport& report, const std::string& csv) {
+  if (report.unfinished == 0) return {};
+  const auto commas = std::count(csv.begin(), std::find(csv.begin(), csv.end(), '\n'), ',');
+  return fmt::format("{} {} not looked at,,unfinished{}\n", report.unfinished,
+                     report.unfinished == 1 ? "pair" : "pairs", std::string(static_cast<std::size_t>(commas) - 2, ','));
+}
+
 std::string csv_of_pairs(const Scene& scene, const CheckReport& report) {
   std::string csv = "a,b,relation,containment,side_unresolved,status" + csv_end_names(report);
   const std::vector<std::size_t> groups = group_numbers_of(report);
@@ -431,7 +439,8 @@ struct CheckKind {
   }
 
   static std::string csv(const CheckReport& report, const Scene& scene) {
-    return report.has_faces ? csv_of_faces(scene, report) : csv_of_pairs(scene, report);
+    const std::string csv = report.has_faces ? csv_of_faces(scene, report) : csv_of_pairs(scene, report);
+    return csv + csv_of_unfinished(report, csv);
   }
 
   static void mark(const CheckReport& report, io::LayerWriter& layers) {
