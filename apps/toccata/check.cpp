@@ -199,7 +199,7 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
   if (loaded.scene.objects.size() < 2)
     throw Error(
         fmt::format("{} holds one object; a check needs two: name another file or a scene with more objects, "
-                    "or say --self to check it against itself",
+                    "say --split where the file has several parts in it, or --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input, arguments.threads, arguments.by_winding ? OpenMeshes::by_winding : OpenMeshes::surfaces);
   const CheckQuestion question = question_of(arguments, input);

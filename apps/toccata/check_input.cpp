@@ -62,6 +62,8 @@ std::string how_to_close(const SceneInstance& posed) {
   constexpr Index most_triangles = 200'000;
   const TriangleMesh& mesh = posed.model.mesh();
   if (mesh.triangle_count() > most_triangles) return {};
+  if (const std::string winding = only_winding_text(inspect(mesh)); !winding.empty())
+    return fmt::format("of {} {}; ", posed.name, winding);
   const std::optional<double> gap = closing_gap(mesh);
   if (!gap) return {};
   return fmt::format("{} has {} and is closed by --close {:.2g}; ", posed.name,

@@ -1,6 +1,7 @@
 #include "check_rules.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -224,9 +225,11 @@ class RuleReader {
   NameRules rules_;
 };
 
-void require_pairs(const NameRules& rules, std::span<const SceneInstance> models) {
+void require_pairs(const NameRules& rules, std::span<const SceneInstance> models,
+                   std::span<const std::string> warnings) {
   if (rules.empty() || leave_a_pair(rules, models)) return;
-  throw Error(fmt::format("nothing would be checked: {}; `{} inspect FILE` tells the names of the objects",
+  throw Error(fmt::format("nothing would be checked: {}{}; `{} inspect FILE` tells the names of the objects",
+                          warnings.empty() ? "" : fmt::format("{}; ", fmt::join(warnings, "; ")),
                           rules.ignored.empty() ? "no two objects are a pair of a rule `between`"
                                                 : "the rules leave no pair of two objects",
                           called_as()));
@@ -258,13 +261,14 @@ void add_rules(CLI::App& app, RuleArguments& arguments) {
 
 NameRules read_rules(const RuleArguments& arguments, std::span<const SceneInstance> models, const LengthUnits& units,
                      std::vector<std::string>& warnings) {
+  const std::size_t known = warnings.size();
   RuleReader reader(models, units, warnings);
   for (const std::string& file : arguments.files) reader.read_file(file);
   for (const std::string& text : arguments.ignored)
     reader.add_rule(reader.rules().ignored, trimmed(text), "--ignore " + text);
   for (const std::string& text : arguments.between)
     reader.add_rule(reader.rules().between, trimmed(text), "--between " + text);
-  require_pairs(reader.rules(), models);
+  require_pairs(reader.rules(), models, std::span<const std::string>(warnings).subspan(known));
   return reader.rules();
 }
 

@@ -264,6 +264,10 @@ std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
   return text + ".\n";
 }
 
+bool tells_lengths(const CheckReport& report) {
+  return report.has_penetration || report.has_volume || report.tolerance || report.clearance;
+}
+
 }  // namespace
 
 std::size_t triangle_count(const Scene& scene) {
@@ -326,6 +330,8 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
   if (report.left_out.value_or(0) > 0)
     text += fmt::format("{} left out by rules, not looked at.\n", counted(*report.left_out, "pair"));
   if (report.baseline) text += baseline_lines(report);
+  if (!report.pairs.empty() && tells_lengths(report) && scene.unit != "unit")
+    text += fmt::format("Lengths and places are in {}.\n", scene.unit);
   return text;
 }
 

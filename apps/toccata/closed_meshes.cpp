@@ -39,6 +39,8 @@ std::string repair_text(const MeshRepair& repair) {
 std::string told(const std::string& name, const RepairedMesh& made) {
   if (made.closed)
     return fmt::format("{} was closed by --close: {}; its file stays as it is", name, repair_text(made.repair));
+  if (const std::string winding = only_winding_text(inspect(made.mesh)); !winding.empty())
+    return fmt::format("{} is still open after --close, which turns no triangle: {}", name, winding);
   return fmt::format("{} is still open after --close, with {}: {}", name,
                      counted(made.repair.open_holes, "hole or rim", "holes or rims"), repair_text(made.repair));
 }

@@ -98,6 +98,13 @@ std::string decided_text(std::size_t undecided) {
   return undecided == 0 ? "decided exactly" : fmt::format("{} undecided and counted", grouped(undecided));
 }
 
+std::string only_winding_text(const MeshHealth& health) {
+  if (health.closed || health.boundary_edges > 0 || health.non_manifold_edges > 0) return {};
+  return fmt::format(
+      "no face is missing, but {} {} between triangles that are wound against each other: turn these round",
+      counted(health.flipped_edges, "edge"), health.flipped_edges == 1 ? "lies" : "lie");
+}
+
 std::string counted(std::size_t number, const std::string& noun) { return counted(number, noun, noun + "s"); }
 
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {

@@ -8,6 +8,7 @@
 #include "toccata/query/penetration.hpp"
 #include "toccata/query/signed_distance.hpp"
 #include "toccata/reports/report.hpp"
+#include "toccata/shapes/mesh_health.hpp"
 
 namespace toccata::command {
 
@@ -49,6 +50,9 @@ std::string decided_text(std::size_t undecided);
 
 /// "1 pair", "2 pairs".
 std::string counted(std::size_t number, const std::string& noun);
+
+/// Why a mesh without a hole is open: its triangles are wound against each other. Empty where that is not the reason.
+std::string only_winding_text(const MeshHealth& health);
 
 /// The same for a noun of another plural.
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural);

@@ -52,6 +52,20 @@ TEST_F(CheckDirty, InspectTellsHowFarFromClosedInTheWordsOfTheField) {
   EXPECT_TRUE(report({"inspect", "open.obj"})["objects"][0]["closing_gap"].is_null());
 }
 
+/// A lid that looks inward leaves no hole.
+TEST_F(CheckDirty, OfTrianglesThatAreWoundAgainstEachOtherItIsToldThatNoneIsMissing) {
+  folder.write("turned.obj", test::text_of(folder.path() / "open.obj") + "f 5 7 8 6\n");
+  const std::string what = "no face is missing, but 4 edges lie between triangles that are wound against each other";
+  const std::string inspected = run({"inspect", "turned.obj"}).out;
+  EXPECT_NE(inspected.find("open"), std::string::npos);
+  EXPECT_NE(inspected.find(what), std::string::npos) << inspected;
+  EXPECT_EQ(inspected.find("hole or rim"), std::string::npos) << inspected;
+  EXPECT_NE(run({"check", "turned.obj", "screw.obj"}).err.find("of turned " + what), std::string::npos);
+  EXPECT_NE(run({"check", "turned.obj", "screw.obj", "--close", "0.01"})
+                .err.find("turned is still open after --close, which turns no triangle: " + what),
+            std::string::npos);
+}
+
 TEST_F(CheckDirty, CheckTellsWhichGapClosesAMesh) {
   const auto result = run({"check", "crack.obj", "screw.obj"});
   EXPECT_EQ(result.exit_code, 0);

@@ -163,7 +163,9 @@ TEST_F(CheckFiles, OfDifferentUnitsBecomeMetresInAnyOrder) {
                   "; since in.json has the unit in and mm.json has the unit mm, its numbers are made metres"),
               std::string::npos)
         << report["warnings"];
-    EXPECT_EQ(run({"check", files[0], files[1], "--clearance", "1mm"}).exit_code, 1);
+    const auto told = run({"check", files[0], files[1], "--clearance", "1mm"});
+    EXPECT_EQ(told.exit_code, 1);
+    EXPECT_TRUE(told.out.ends_with("Lengths and places are in m.\n")) << told.out;
   }
   EXPECT_NE(trouble({"in.json", "two.obj", "mm.json"})
                 .find("two.obj states no unit, and in.json has the unit in and mm.json has the unit mm: "
