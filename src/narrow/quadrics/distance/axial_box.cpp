@@ -55,6 +55,7 @@ class AxialBox {
   }
 
   [[nodiscard]] std::optional<FastDistance> proved() const;
+  [[nodiscard]] bool is_surely_apart() const;
   /// Whether the plane across the line between the middles parts the two.
   [[nodiscard]] bool is_parted_between_middles() const;
   /// Where the search ended.
@@ -62,6 +63,11 @@ class AxialBox {
 
  private:
   enum class Step { none, small, far, failed };
+  /// What is proved of the distance in plain doubles, along a direction from a point of A in its own frame.
+  struct Bounds {
+    FastDistance distance;
+    Vec3 on_a, direction;
+  };
 
   [[nodiscard]] const Vec3& side(int j) const { return side_[static_cast<std::size_t>(j)]; }
 
@@ -148,6 +154,7 @@ class AxialBox {
   /// From the box to A, across the flat parts on which the nearest points lie: there, what a direction is off by counts
   /// wholly.
   [[nodiscard]] Vec3 direction(const Vec3& z) const;
+  [[nodiscard]] std::optional<Bounds> bounds() const;
   [[nodiscard]] std::optional<FastDistance> proved_longer(const Vec3& p, const Vec3& d) const;
 
   const PosedQuadric& a_;
@@ -231,7 +238,7 @@ double beyond_corner(const PosedPolytope& box, const Vec3& corner, const Vec3& d
 // u (8.2 P + 6.2 e + 3 L), P ≤ r + h being of no use.
 // What both reach beyond these points is off by `rounding_beyond`.
 template <AxialKind Kind>
-std::optional<FastDistance> AxialBox<Kind>::proved() const {
+auto AxialBox<Kind>::bounds() const -> std::optional<Bounds> {
   const Vec3 p = local_point();
   const Mat3& m = a_.pose().linear;
   const Vec3 turned{dot(m[0], p), dot(m[1], p), dot(m[2], p)};
@@ -254,8 +261,22 @@ std::optional<FastDistance> AxialBox<Kind>::proved() const {
   found.lower = (along - (off + off_beyond)) - 12 * unit_roundoff * length;
   found.on_a = turned + a_.pose().offset;
   found.on_b = on_b.corner + on_b.steps;
-  if (is_narrow(found)) return found;
-  return is_nearly_narrow(found) ? proved_longer(p, d) : std::nullopt;
+  return Bounds{found, p, d};
+}
+
+template <AxialKind Kind>
+std::optional<FastDistance> AxialBox<Kind>::proved() const {
+  const std::optional<Bounds> found = bounds();
+  if (!found) return {};
+  if (is_narrow(found->distance)) return found->distance;
+  return is_nearly_narrow(found->distance) ? proved_longer(found->on_a, found->direction) : std::nullopt;
+}
+
+/// No distance has to be told: a bound above 0 is enough, however wide the interval is.
+template <AxialKind Kind>
+bool AxialBox<Kind>::is_surely_apart() const {
+  const std::optional<Bounds> found = bounds();
+  return found && found->distance.lower > 0;
 }
 
 /// Tiny gaps, with twice the digits.
@@ -327,7 +348,7 @@ template <AxialKind Kind>
 std::optional<QuadricContact> contact_with_box(const PosedQuadric& a, const PosedPolytope& b) {
   AxialBox<Kind> pair(a, b);
   if (pair.is_parted_between_middles()) return QuadricContact::apart;
-  if (pair.search() && pair.proved()) return QuadricContact::apart;
+  if (pair.search() && pair.is_surely_apart()) return QuadricContact::apart;
   if (pair.is_box_met_within()) return QuadricContact::contact;
   return {};
 }
