@@ -21,23 +21,16 @@ constexpr double promised_width = 1.1 + 1e-9;
 
 bool is_close_to(double found, double truth, double error) { return std::abs(found - truth) <= error * (1 + truth); }
 
-struct MeetingCase {
-  TriangleMesh a, b;
-  PairQuery query;
-};
-
-MeetingCase random_meeting_case(const std::string& family, Random& random) {
+const std::vector<TriangleMesh>& solids_of(const std::string& family) {
   static const std::vector<TriangleMesh> all = some_solids();
   static const std::vector<TriangleMesh> convex = {box_mesh({0.7, 0.8, 0.9}), icosphere_mesh(0.9, 1),
                                                    prism_mesh(0.6, 1.5, 5), box_mesh({1, 1, 0.1})};
-  const std::vector<TriangleMesh>& solids = family == "convex" ? convex : all;
-  return {solids[random.below(solids.size())],
-          solids[random.below(solids.size())],
-          {.pose_a = {random_rotation(random), {}}, .pose_b = {random_rotation(random), random_vector(random, 1.2)}}};
+  return family == "convex" ? convex : all;
 }
 
 std::string fault_of_depth(const ContactRegion& region, const SlowSolid& a, const SlowSolid& b, Random& random) {
   if (!region.depth) return "no depth of two solids";
+  if (!contains(region.box, Aabb{region.deepest, region.deepest})) return "the deepest point is outside of its box";
   const auto depth_at = [&](const Vec3& p) { return a.distance(p) + b.distance(p); };
   if (depth_at(region.deepest) < region.depth->lower * (1 - 1e-9) - 1e-12) return "less deep than its lower bound";
   const auto is_in = [&](const SlowSolid& solid) {  // also on its surface
@@ -78,7 +71,7 @@ std::string fault_of_parts(const std::vector<ContactRegion>& regions, const Slow
 
 std::string fault_of_contact_regions(const std::string& family, std::uint64_t seed) {
   Random random(seed);
-  const MeetingCase made = random_meeting_case(family, random);
+  const Meeting made = random_meeting(solids_of(family), random);
   const PairQuery& query = made.query;
   const Model a(made.a), b(made.b);
   const SlowSolid slow_a(made.a, query.pose_a), slow_b(made.b, query.pose_b);

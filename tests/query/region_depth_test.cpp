@@ -207,6 +207,35 @@ TEST(RegionDepth, HoldsWhatASlowOracleFindsForRandomSolids) {
   EXPECT_EQ(wide, 0);
 }
 
+TEST(RegionDepth, IsThatOfThePointsOfItsOwnBox) {
+  // Beside the boxes of some of these regions, within a turned box around them, are deeper points of others.
+  for (const std::uint64_t seed : {12596323584061756495ULL, 7086638178683056257ULL}) {
+    Random random(seed);
+    const test::Meeting made = test::random_meeting(test::some_solids(), random);
+    const test::SlowSolid slow_a(made.a, made.query.pose_a), slow_b(made.b, made.query.pose_b);
+    const auto regions = contact_regions(Model(made.a), Model(made.b), made.query);
+    EXPECT_GE(regions.size(), 2U);
+    for (const ContactRegion& region : regions) {
+      EXPECT_TRUE(contains(region.box, Aabb{region.deepest, region.deepest})) << seed;
+      EXPECT_GE(slow_a.distance(region.deepest) + slow_b.distance(region.deepest), region.depth->lower * (1 - 1e-9));
+      EXPECT_LE(region.depth->upper, precision * region.depth->lower) << seed;
+    }
+  }
+}
+
+TEST(RegionDepth, OfAThinWedgeIsThatOfItsEdge) {
+  Random random(20261130);
+  const double thin = 1e-5;
+  const Model wedge(extruded_mesh(std::vector<Vec2>{{0, 0}, {2, -thin}, {2, thin}}, 4)), block(box_mesh({1, 1, 1}));
+  for (int i = 0; i < 20; ++i) {
+    const Pose place{test::random_rotation(random), test::random_vector(random, 1)};
+    const auto regions =
+        contact_regions(wedge, block, {.pose_a = place * Pose::translation(0.2, 0.1, -2), .pose_b = place});
+    ASSERT_EQ(regions.size(), 1U) << i;
+    expect_depth(regions[0], 0.8, "an edge 0.8 below the block's side", 2 * thin);
+  }
+}
+
 TEST(RegionDepth, IsALowerBoundOfThePenetration) {
   Random random(5);
   const std::vector<TriangleMesh> meshes = test::some_solids();

@@ -6,8 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "support/mesh_soups.hpp"
+#include "toccata/core/random.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/shapes/triangle_mesh.hpp"
 
 // What regions of contact of two solids are compared with: slow and obvious, in doubles.
@@ -67,6 +70,18 @@ inline std::vector<TriangleMesh> some_solids() {
           extruded_mesh(corner, 0.8),
           torus_mesh({.radius = 0.7, .tube_radius = 0.25, .around = 12, .sides = 8}),
           noise_sphere_mesh({.subdivisions = 1})};
+}
+
+/// Two of the solids, placed so that they often meet.
+struct Meeting {
+  TriangleMesh a, b;
+  PairQuery query;
+};
+
+inline Meeting random_meeting(const std::vector<TriangleMesh>& solids, Random& random) {
+  return {solids[random.below(solids.size())],
+          solids[random.below(solids.size())],
+          {.pose_a = {random_rotation(random), {}}, .pose_b = {random_rotation(random), random_vector(random, 1.2)}}};
 }
 
 /// What of a convex polygon is on the inner side of a plane through three points, from which `inside` is not seen

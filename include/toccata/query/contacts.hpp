@@ -101,7 +101,9 @@ struct ContactRegion {
   /// bound of their penetration. `upper` is at most 10 % more, where that is found in reasonable time, and both are 0,
   /// or `lower` is and `upper` some last places of the coordinates, where they touch. None where one is a surface.
   std::optional<Depth> depth{};
-  Vec3 deepest{};  ///< a point of both solids whose sum is `lower` or more; of surfaces the mean of the points
+  /// A point of `box`. Where `lower` is not 0, it is one of both solids, up to rounding, whose sum is `lower` or more;
+  /// else the mean of the points.
+  Vec3 deepest{};
 
   friend bool operator==(const ContactRegion&, const ContactRegion&) = default;
 };

@@ -180,6 +180,7 @@ class Regions {
     region.curve_count = curve_count_of(members);
     for (const Vec3& point : points)
       region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
+    region.deepest = nearest_point_of(region.box, region.deepest);
     const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
     region.area = std::hypot(twice.x, twice.y, twice.z) / 2;
     region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);

@@ -113,7 +113,6 @@ CellFrame frame_along(const Vec3& direction, const Vec3& origin) {
 
 DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place& middle, const DepthCell& cell,
                                   double slack) {
-  constexpr double of_point = 32;  // slacks: a nearest point is off by 10⁻¹² of the coordinates
   DistanceBounds bounds;
   const double radius = cell.radius + slack;
   if (!middle.inside && middle.surface.lower > radius) return bounds;
@@ -124,7 +123,7 @@ DistanceBounds bounds_by_distance(const DepthSide& solid, const DepthSide::Place
     bounds.at_corners[0].fill(radius - middle.surface.lower);
   else
     for (std::size_t i = 0; i < 8; ++i)
-      bounds.at_corners[0][i] = plain_length(cell.corners[i] - to_surface) + of_point * slack;
+      bounds.at_corners[0][i] = plain_length(cell.corners[i] - to_surface) + slacks_of_nearest * slack;
   constexpr double least_share = 0x1p-20;
   if (middle.surface.upper <= least_share * cell.radius)
     bounds.outwards = solid.outward_normal(middle.surface.element);

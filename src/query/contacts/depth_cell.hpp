@@ -27,6 +27,9 @@ struct CellFrame {
 /// Bounds of distances are valid for real numbers; each is more than its sum of products by that at least.
 inline constexpr double depth_slack = 0x1p-44;
 
+/// A nearest point is off by that many slacks at most, 10⁻¹² of the coordinates.
+inline constexpr double slacks_of_nearest = 32;
+
 /// A box in a frame, as points in the world.
 struct DepthCell {
   Vec3 middle;

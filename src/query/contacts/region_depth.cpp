@@ -36,6 +36,10 @@ Vec3 shortest_axis(const Aabb& box) {
   return size.y <= size.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
 }
 
+Vec3 middle_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
+
+bool holds(const Aabb& box, const Vec3& p) { return contains(box, Aabb{p, p}); }
+
 /// A box of the search, in its frame.
 struct WaitingCell {
   double bound = 0;
@@ -52,8 +56,8 @@ struct WaitingCell {
 
 class CommonDepthSearch {
  public:
-  CommonDepthSearch(const DepthSide& a, const DepthSide& b, double size, SearchScratch& scratch)
-      : a_(a), b_(b), slack_(depth_slack * size), floor_(least_width * size), scratch_(scratch) {}
+  CommonDepthSearch(const DepthSide& a, const DepthSide& b, const Aabb& box, double size, SearchScratch& scratch)
+      : a_(a), b_(b), box_(box), slack_(depth_slack * size), floor_(least_width * size), scratch_(scratch) {}
 
   /// Some of the vertices of either inside the other.
   void see_vertices(std::span<const Vec3> of_a, std::span<const Vec3> of_b) {
@@ -72,8 +76,9 @@ class CommonDepthSearch {
     });
   }
 
+  /// The point of the box that is nearest to it.
   void see_point(const Vec3& point) {
-    if (const auto found = at(point)) see(*found);
+    if (const auto found = at(nearest_point_of(box_, point))) see(*found);
   }
 
   /// Goes from the deepest point known to where it is deeper, away from the nearer surface.
@@ -93,13 +98,13 @@ class CommonDepthSearch {
   enum class Until { some_point, narrow };
 
   /// In a frame along the direction.
-  void search(const Aabb& box, const Vec3& direction, Until until) {
-    frame_ = frame_along(without_sign(direction), 0.5 * box.lower + 0.5 * box.upper);
+  void search(const Vec3& direction, Until until) {
+    frame_ = frame_along(without_sign(direction), middle_of(box_));
     waiting_ = {};
     settled_ = 0;
     seen_ = 0;
     cost_ = 0;
-    wait_for(looked_into(root_around(box)));
+    wait_for(looked_into(root()));
     while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
       if (until == Until::some_point && best_.depth > 0) return;
       const WaitingCell cell = waiting_.top();
@@ -131,11 +136,11 @@ class CommonDepthSearch {
     return of_both(point, in_a.surface, in_b.surface);
   }
 
-  [[nodiscard]] WaitingCell root_around(const Aabb& box) const {
+  [[nodiscard]] WaitingCell root() const {
     Aabb range;
     for (int i = 0; i < 8; ++i) {
-      const Vec3 corner{(i & 1) != 0 ? box.lower.x : box.upper.x, (i & 2) != 0 ? box.lower.y : box.upper.y,
-                        (i & 4) != 0 ? box.lower.z : box.upper.z};
+      const Vec3 corner{(i & 1) != 0 ? box_.lower.x : box_.upper.x, (i & 2) != 0 ? box_.lower.y : box_.upper.y,
+                        (i & 4) != 0 ? box_.lower.z : box_.upper.z};
       range = merge(range, frame_.inside(corner));
     }
     WaitingCell root;
@@ -173,6 +178,13 @@ class CommonDepthSearch {
     return result;
   }
 
+  /// A turned cell may be beside the box though it is part of the root, which is a turned box around it.
+  [[nodiscard]] bool meets_box(const DepthCell& cell) const {
+    const Vec3 more{slack_, slack_, slack_};
+    const Aabb around = fit_aabb(cell.corners);
+    return overlap({cell.middle + around.lower - more, cell.middle + around.upper + more}, box_);
+  }
+
   /// With its own bound, which is not more than the one it had: 0 where it has nothing in common with both.
   [[nodiscard]] WaitingCell looked_into(WaitingCell cell) {
     cell.number = ++seen_;
@@ -180,13 +192,17 @@ class CommonDepthSearch {
     const double had = cell.bound;
     cell.bound = 0;
     const DepthCell world = posed(cell);
+    if (!meets_box(world)) return cell;
     const DepthSide::Place in_a = a_.at(world.middle, scratch_);
     DistanceBounds of_a = bounds_by_distance(a_, in_a, world, slack_);
     if (of_a.count == 0) return cell;
     const DepthSide::Place in_b = b_.at(world.middle, scratch_);
     DistanceBounds of_b = bounds_by_distance(b_, in_b, world, slack_);
     if (of_b.count == 0) return cell;
-    if (in_a.inside && in_b.inside) see(of_both(world.middle, in_a.surface, in_b.surface));
+    if (!holds(box_, world.middle))
+      see_point(world.middle);
+    else if (in_a.inside && in_b.inside)
+      see(of_both(world.middle, in_a.surface, in_b.surface));
     cell.bound = std::min(greatest_sum(of_a, of_b), had);
     // Where the nearest surface is another one on the way through the cell, that opposite to the other solid's may
     // tell.
@@ -196,11 +212,30 @@ class CommonDepthSearch {
       add_bound_by_height(b_, in_b, world, own ? of_b.outwards : -of_a.outwards, slack_, of_b);
       cell.bound = std::min(cell.bound, greatest_sum(of_a, of_b));
     }
+    if (cell.bound > narrow_enough()) see_surface_points(in_a, in_b);
     cost_ += of_a.triangles + of_b.triangles;
     const Vec3 slope = of_a.outwards + of_b.outwards;
     for (int i = 0; i < 3; ++i)
       cell.change[i] = std::abs(dot(slope, world.axes[static_cast<std::size_t>(i)])) + of_a.bend[i] + of_b.bend[i];
     return cell;
+  }
+
+  /// The points of the surfaces that are nearest to a middle: no middle of a cell may ever be inside of a thin wedge
+  /// whose edge is where the two are deepest.
+  void see_surface_points(const DepthSide::Place& in_a, const DepthSide::Place& in_b) {
+    const auto depth_in = [&](const DepthSide& other, const Vec3& point) {
+      const SurfacePoint across = other.nearest(point, scratch_);
+      return std::pair(across.lower - slacks_of_nearest * slack_, across.point);
+    };
+    const Vec3 &on_a = in_a.surface.point, &on_b = in_b.surface.point;
+    if (!in_a.inside && holds(box_, on_a) && is_interior(on_a, b_.mesh())) {
+      const auto [depth, across] = depth_in(b_, on_a);
+      see({depth, on_a, on_a, across});
+    }
+    if (!in_b.inside && holds(box_, on_b) && is_interior(on_b, a_.mesh())) {
+      const auto [depth, across] = depth_in(a_, on_b);
+      see({depth, on_b, across, on_b});
+    }
   }
 
   void wait_for(const WaitingCell& cell) {
@@ -219,6 +254,7 @@ class CommonDepthSearch {
 
   const DepthSide& a_;
   const DepthSide& b_;
+  const Aabb& box_;
   double slack_;
   double floor_;
   SearchScratch& scratch_;
@@ -231,6 +267,11 @@ class CommonDepthSearch {
 };
 
 }  // namespace
+
+Vec3 nearest_point_of(const Aabb& box, const Vec3& p) {
+  return {std::clamp(p.x, box.lower.x, box.upper.x), std::clamp(p.y, box.lower.y, box.upper.y),
+          std::clamp(p.z, box.lower.z, box.upper.z)};
+}
 
 Vec3 normal_of_any_size(const Triangle& t) {
   return unit_or_zero(cross(unit_or_zero(t[1] - t[0]), unit_or_zero(t[2] - t[0])));
@@ -254,13 +295,13 @@ CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query,
 
 FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const {
   using Until = CommonDepthSearch::Until;
-  CommonDepthSearch search(a_, b_, size_, scratch_);
+  CommonDepthSearch search(a_, b_, box, size_, scratch_);
   search.see_vertices(of_a, of_b);
-  search.see_point(0.5 * box.lower + 0.5 * box.upper);
-  if (search.best().depth == 0) search.search(box, shortest_axis(box), Until::some_point);
+  search.see_point(middle_of(box));
+  if (search.best().depth == 0) search.search(shortest_axis(box), Until::some_point);
   search.climb();
   const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
-  search.search(box, across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
+  search.search(across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
   return search.found();
 }
 

@@ -8,11 +8,14 @@
 
 namespace toccata {
 
+/// The point of a box that is nearest to p: its coordinates are those of p or of the box.
+[[nodiscard]] Vec3 nearest_point_of(const Aabb& box, const Vec3& p);
+
 /// The normal of a triangle of whatever size.
 [[nodiscard]] Vec3 normal_of_any_size(const Triangle& t);
 
-/// A point of two closed solids and the nearest points of both surfaces. `depth` is not more than the sum of their
-/// distances; 0 where no such point is known.
+/// A point of the box and of two closed solids and the nearest points of both surfaces. `depth` is not more than the
+/// sum of their distances; 0 where no such point is known.
 struct DeepestPoint {
   double depth = 0;
   Vec3 point{};
