@@ -183,29 +183,6 @@ Scene in_metres(Scene scene, const std::string& file) {
   return scene;
 }
 
-/// The same in metres, where --unit says what the numbers of some other file are.
-ConvertedScene read_file(const std::string& file, const fs::path& path, const InputArguments& input) {
-  ReadOptions options = read_options(input);
-  if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
-  options.metres_per_unit.reset();
-  ConvertedScene read = read_as_it_is(file, path, input, options);
-  const std::string unit = read.scene.unit;
-  read.scene = in_metres(std::move(read.scene), file);
-  if (unit != "m")
-    read.notes.push_back(
-        fmt::format("{}: its unit is {}; for the sake of --unit its numbers are made metres and rounded to doubles: "
-                    "what touches or fits exactly there may not any more",
-                    file, unit));
-  return read;
-}
-
-/// Throws Error where --unit is about none of the files.
-void require_use_of_unit(const InputArguments& input) {
-  const auto states = [&](const std::string& file) { return has_its_own_unit(file, input); };
-  if (!input.unit.empty() && std::all_of(input.files.begin(), input.files.end(), states))
-    throw Error(fmt::format("{}: the file states its unit itself: leave out --unit", input.files.front()));
-}
-
 /// The scenes of all files, several at once; one that is named twice is read once.
 std::map<std::string, ConvertedScene> read_all(const InputArguments& input) {
   const std::vector<std::string> files = different_files(input.files);
@@ -216,7 +193,7 @@ std::map<std::string, ConvertedScene> read_all(const InputArguments& input) {
   ProgressBar bar("MB read");
   FilesRead progress(paths, bar.callback());
   parallel_for(files.size(), input.threads, [&](std::size_t i) {
-    scenes[i] = read_file(files[i], paths[i], input);
+    scenes[i] = read_file(files[i], input);
     progress.finished(i);
   });
   std::map<std::string, ConvertedScene> read;
@@ -249,11 +226,30 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 
 }  // namespace
 
-LoadedScene load(const InputArguments& input) {
-  if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
-  require_use_of_unit(input);
+void require_use_of_unit(const InputArguments& input) {
+  const auto states = [&](const std::string& file) { return has_its_own_unit(file, input); };
+  if (!input.unit.empty() && std::all_of(input.files.begin(), input.files.end(), states))
+    throw Error(fmt::format("{}: the file states its unit itself: leave out --unit", input.files.front()));
+}
+
+ConvertedScene read_file(const std::string& file, const InputArguments& input) {
+  const fs::path path = path_of(file, input.folder);
+  ReadOptions options = read_options(input);
+  if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
+  options.metres_per_unit.reset();
+  ConvertedScene read = read_as_it_is(file, path, input, options);
+  const std::string unit = read.scene.unit;
+  read.scene = in_metres(std::move(read.scene), file);
+  if (unit != "m")
+    read.notes.push_back(
+        fmt::format("{}: its unit is {}; for the sake of --unit its numbers are made metres and rounded to doubles: "
+                    "what touches or fits exactly there may not any more",
+                    file, unit));
+  return read;
+}
+
+LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read) {
   LoadedScene loaded;
-  const std::map<std::string, ConvertedScene> read = read_all(input);
   FreeNames names;
   std::set<std::string> known;
   for (const std::string& file : input.files) {
@@ -277,6 +273,12 @@ LoadedScene load(const InputArguments& input) {
   loaded.first_node.push_back(loaded.scene.nodes.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
   return loaded;
+}
+
+LoadedScene load(const InputArguments& input) {
+  if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
+  require_use_of_unit(input);
+  return joined(input, read_all(input));
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
