@@ -37,6 +37,13 @@ def write_off(path, lower, upper, faces):
     path.write_text(f"OFF\n8 {faces} 0\n" + lines("", corners(lower, upper)) + lines("", rows))
 
 
+def write_with_gap(path, lower, upper):
+    """A box whose lowest side is a thousandth away."""
+    points = corners(lower, upper) + [(x, y, z - 0.001) for x, y, z in corners(lower, upper)[:4]]
+    rows = [(3, *(corner + (7 if i < 2 else -1) for corner in face)) for i, face in enumerate(FACES)]
+    path.write_text("OFF\n12 12 0\n" + lines("", points) + lines("", rows))
+
+
 def write_ply(path, lower, upper):
     head = "ply\nformat ascii 1.0\nelement vertex 8\n" + lines("property double ", "xyz") + "element face 12\nproperty list uchar int vertex_indices\nend_header\n"
     path.write_text(head + lines("", corners(lower, upper)) + lines("3 ", [[corner - 1 for corner in face] for face in FACES]))
@@ -82,16 +89,17 @@ def write_boxes(folder):
 
 
 def write_mixed(folder):
-    """Files of many kinds, of units that differ, with an open mesh, boxes that touch exactly, and one that is named twice."""
+    """Files of many kinds, of units that differ, with open meshes, boxes that touch exactly, and one that is named twice."""
     write_obj(folder / "box.obj", (0, 0, 0), (1, 1, 1))
+    write_with_gap(folder / "gap.off", (3, 0, 0), (4, 1, 1))
     write_off(folder / "open.off", (0.5, 0.5, 0.5), (2.5, 2.5, 2.5), 10)
     write_off(folder / "beside.off", (1, 0, 0), (2, 1, 1), 12)
     write_ply(folder / "box.ply", (0.1, 0.1, 0.1), (0.9, 0.9, 0.9))
     write_stl(folder / "far.stl", (4, 4, 4), (5, 5, 5))
     write_three_mf(folder / "printed.3mf", (0.25, -1, 0.25), (0.75, 3, 0.75))
     write_scene(folder / "scene.json")
-    names = ["box.obj", "open.off", "scene.json", "beside.off", "box.ply", "far.stl", "printed.3mf", "box.obj"]
-    return [str(folder / name) for name in names] + ["gen:torus?ring-radius=2&tube-radius=0.25"]
+    names = ["box.obj", "gap.off", "open.off", "scene.json", "beside.off", "box.ply", "far.stl", "printed.3mf", "box.obj"]
+    return [str(folder / name) for name in names] + ["gen:torus?radius=2&tube-radius=0.25"]
 
 
 def run(*words):
@@ -124,7 +132,7 @@ def check_mixed(folder):
     report = compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20)
     check({"overlapping", "touching", "apart"} <= {pair["relation"] for pair in report["pairs"]}, f"relations in {report['pairs']}")
     warnings = " ".join(report["warnings"])
-    check(all(words in warnings for words in ("is open", "as large as", "compared as they are")), f"warnings: {warnings}")
+    check(all(words in warnings for words in ("are open", "closed by --close", "as large as", "compared as they are")), f"warnings: {warnings}")
     compare(files, ["--penetration", "--volume", "--tolerance", "0.05", "--touching", "ignore"], 20)
     compare([file for file in files if not file.endswith((".json", ".3mf"))], ["--unit", "in", "--scale", "2", "--clearance", "1mm"], 9)
     compare([str(folder), "gen:box"], [], 9)  # the mesh files in it
