@@ -37,7 +37,7 @@ if(TOCCATA_TEST_SANITIZED AND TOCCATA_TEST_RANKS_SANITIZED)
 endif()
 if(TARGET toccata_bench_ranks)
   add_test(NAME distributed/crowds COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/distributed/check_crowds.py ${MPIEXEC_EXECUTABLE}
-                                           $<TARGET_FILE:toccata_crowd_ranks> $<TARGET_FILE:toccata_bench_ranks>)
+                                           $<TARGET_FILE:toccata_crowd_ranks> $<TARGET_FILE:toccata_bench_ranks> $<TARGET_FILE:toccata_command>)
   set_tests_properties(distributed/crowds PROPERTIES ENVIRONMENT "${MPI_SETTINGS}" PROCESSORS 2)
 endif()
 if(TARGET toccata_check_ranks)

@@ -18,6 +18,7 @@
 #include "exchange.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
+#include "over_ranks.hpp"
 #include "subcommands.hpp"
 #include "table_names.hpp"
 #include "toccata/core/error.hpp"
@@ -403,6 +404,7 @@ Subcommand add_check(CLI::App& app) {
   add_order(*check, *arguments);
   add_writing(*check, *arguments, "docs/reference/check-report.md");
   add_exchange(*check, arguments->exchange);
+  add_distributed(*check);
   check->add_flag_callback(
       "--stream", [arguments] { arguments->format = Format::stream; },
       "write JSON lines, each pair as soon as it is found, and a last line that says whether these are all");
@@ -427,6 +429,7 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check assembly.glb --rules rules.txt --ignore 'bolt*,nut*' --touching ignore\n"
                 "  {0} check assembly.glb --baseline yesterday.json --fail-on new --sort severity --json\n"
                 "  {0} check a.stl b.stl --html report.html\n"
+                "  mpirun -np 4 {0} check hall.glb pipes.glb --distributed --json\n"
                 "  {0} check scenes/shelf/scene.json --json"));
   return {check, [arguments, check] {
             require_company(*check);

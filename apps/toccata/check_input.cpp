@@ -54,7 +54,9 @@ std::vector<SceneInstance> models_of(LoadedScene& loaded, const PosedArguments& 
 }
 
 /// Not a height field, which everybody knows to be open.
-bool is_mesh(const Model& model) { return kind_of(model.shape()) == ShapeKind::mesh; }
+bool is_mesh_taken_as_it_is(const SceneInstance& posed) {
+  return posed.solid == Solid::automatic && kind_of(posed.model.shape()) == ShapeKind::mesh;
+}
 
 /// By which gap the mesh would be closed, where one that is not large does; empty where none does, or it would take
 /// long to find out.
@@ -94,31 +96,36 @@ std::vector<PairQuery> read_queries(const CheckInput& input, const PosedArgument
   return queries;
 }
 
+bool is_open_mesh(const SceneInstance& posed) { return is_mesh_taken_as_it_is(posed) && !posed.model.closed(); }
+
 void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for) {
-  constexpr std::size_t most_names = 5;
   // What takes time is found out for all at once.
   parallel_for(input.models.size(), threads, [&](std::size_t i) {
-    const SceneInstance& posed = input.models[i];
-    if (posed.solid == Solid::automatic && is_mesh(posed.model)) static_cast<void>(posed.model.closed());
+    if (is_mesh_taken_as_it_is(input.models[i])) static_cast<void>(input.models[i].model.closed());
   });
   std::vector<std::string> open;
   const SceneInstance* first_open = nullptr;
   for (const SceneInstance& posed : input.models)
-    if (posed.solid == Solid::automatic && is_mesh(posed.model) && !posed.model.closed()) {
+    if (is_open_mesh(posed)) {
       open.push_back(posed.name);
       if (first_open == nullptr) first_open = &posed;
     }
-  if (open.empty()) return;
+  if (first_open != nullptr) warn_of_open_meshes(input.loaded, open, *first_open, taken_for);
+}
+
+void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open, const SceneInstance& first,
+                         OpenMeshes taken_for) {
+  constexpr std::size_t most_names = 5;
   const std::size_t shown = std::min(open.size(), most_names);
   const bool is_one = open.size() == 1;
   const std::string taken =
       taken_for == OpenMeshes::by_winding
           ? "and what lies inside is told by the winding number, undecided"
           : fmt::format("and taken as surface{}, which contain{} nothing", is_one ? "" : "s", is_one ? "s" : "");
-  input.loaded.warnings.push_back(fmt::format(
-      "{} of {} {} open {}: {}{} ({}inspect tells why{})", open.size(), counted(input.models.size(), "object"),
+  loaded.warnings.push_back(fmt::format(
+      "{} of {} {} open {}: {}{} ({}inspect tells why{})", open.size(), counted(loaded.scene.objects.size(), "object"),
       is_one ? "is" : "are", taken, fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-      shown < open.size() ? ", …" : "", how_to_close(*first_open),
+      shown < open.size() ? ", …" : "", how_to_close(first),
       taken_for == OpenMeshes::by_winding ? "" : "; --solid=none says that surfaces are meant"));
 }
 

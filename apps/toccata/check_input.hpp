@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,13 @@ enum class OpenMeshes { surfaces, by_winding };
 /// An open mesh among solids contains nothing, or only by its winding number: whoever did not know that it is open
 /// should. Adds a warning then.
 void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for = OpenMeshes::surfaces);
+
+/// Whether it is such a mesh: one that nobody has said is a surface.
+[[nodiscard]] bool is_open_mesh(const SceneInstance& posed);
+
+/// The same of those that are known to be open, one or more; `first` is the first of them.
+void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open, const SceneInstance& first,
+                         OpenMeshes taken_for = OpenMeshes::surfaces);
 
 /// Adds warnings in front of the others and prints them at once: before long work what is left out of it.
 void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings);

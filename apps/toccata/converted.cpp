@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "file_text.hpp"
+#include "installed_program.hpp"
 #include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "words.hpp"
@@ -60,18 +60,9 @@ const Converter* converter_of(const std::string& path) {
   return nullptr;
 }
 
-bool is_program(const fs::path& path) { return access(path.c_str(), X_OK) == 0; }
-
-/// Beside this program, or on the path.
 std::string program_of(const Converter& converter, const std::string& file) {
   const std::string name = fmt::format("toccata-read-{}", converter.format);
-  std::error_code unknown;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", unknown).parent_path() / name;
-  if (!unknown && is_program(beside)) return beside.string();
-  const char* folders = std::getenv("PATH");
-  std::istringstream stream(folders == nullptr ? "" : folders);
-  for (std::string folder; std::getline(stream, folder, ':');)
-    if (!folder.empty() && is_program(fs::path(folder) / name)) return (fs::path(folder) / name).string();
+  if (const auto program = installed_program(name)) return *program;
   // Through the wrapper of the repository one line installs and builds it.
   const std::string called = called_as();
   const std::string line = called.find('/') == std::string::npos ? "./toccata formats" : called + " formats";

@@ -13,6 +13,7 @@
 #include "crowd_view.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
+#include "over_ranks.hpp"
 #include "saved.hpp"
 #include "subcommands.hpp"
 #include "toccata/broad/broad_phase.hpp"
@@ -198,13 +199,15 @@ Subcommand add_crowd(CLI::App& app) {
       *crowd, arguments->save_case,
       "write the question and the answer into one file; `replay` asks it again (docs/reference/case-file.md)");
   add_json(*crowd, arguments->format, "write JSON (docs/reference/crowd.md)");
+  add_distributed(*crowd);
   crowd->footer(
       with_name("Exit code: 0, or 2 for trouble; of a case also 1, where its answer is another.\n\n"
                 "Example:\n  {0} crowd --count 100000 --scene clustered\n  {0} crowd --count 5000 --compare\n"
                 "  {0} crowd --count 2000 --frames 100 --html crowd.html\n"
                 "  {0} crowd --world --count 500 --frames 60 --html world.html --save-case world.json\n"
                 "  {0} crowd --world --bodies terrain --count 300 --frames 100 --html terrain.html\n"
-                "  {0} crowd world.json --glb world.glb"));
+                "  {0} crowd world.json --glb world.glb\n"
+                "  mpirun -np 2 {0} crowd --count 1000000 --distributed"));
   return {crowd, [arguments] { return run_crowd(*arguments); }};
 }
 

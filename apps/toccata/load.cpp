@@ -193,16 +193,6 @@ void make_metres(ConvertedScene& read, const std::string& file, std::string_view
                     file, unit, why));
 }
 
-/// The same in metres, where --unit says what the numbers of some other file are.
-ConvertedScene read_file(const std::string& file, const fs::path& path, const InputArguments& input) {
-  ReadOptions options = read_options(input);
-  if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
-  options.metres_per_unit.reset();
-  ConvertedScene read = read_as_it_is(file, path, input, options);
-  make_metres(read, file, "for the sake of --unit");
-  return read;
-}
-
 using ScenesRead = std::map<std::string, ConvertedScene>;
 
 bool states_unit(const ScenesRead::value_type& read) { return read.second.scene.unit != "unit"; }
@@ -210,25 +200,13 @@ bool states_unit(const ScenesRead::value_type& read) { return read.second.scene.
 /// Where files state different units, all become metres, in whatever order they are named. Throws Error where one
 /// states none beside such.
 void make_units_equal(ScenesRead& read) {
-  const auto first = std::find_if(read.begin(), read.end(), states_unit);
-  const auto other = std::find_if(first, read.end(), [&](const ScenesRead::value_type& one) {
-    return states_unit(one) && metres_of(one.second.scene.unit) != metres_of(first->second.scene.unit);
-  });
-  if (other == read.end()) return;
-  const std::string stated = fmt::format("{} and {}", unit_text(first->first, first->second.scene),
-                                         unit_text(other->first, other->second.scene));
+  const std::string stated = different_units(read);
+  if (stated.empty()) return;
   const auto none = std::find_if_not(read.begin(), read.end(), states_unit);
   if (none != read.end())
     throw Error(fmt::format("{} states no unit, and {}: say with --unit what its numbers are", none->first, stated));
   const std::string why = fmt::format("since {},", stated);
   for (auto& [file, one] : read) make_metres(one, file, why);
-}
-
-/// Throws Error where --unit is about none of the files.
-void require_use_of_unit(const InputArguments& input) {
-  const auto states = [&](const std::string& file) { return has_its_own_unit(file, input); };
-  if (!input.unit.empty() && std::all_of(input.files.begin(), input.files.end(), states))
-    throw Error(fmt::format("{}: the file states its unit itself: leave out --unit", input.files.front()));
 }
 
 /// The scenes of all files, several at once; one that is named twice is read once.
@@ -241,7 +219,7 @@ ScenesRead read_all(const InputArguments& input) {
   ProgressBar bar("MB read");
   FilesRead progress(paths, bar.callback());
   parallel_for(files.size(), input.threads, [&](std::size_t i) {
-    scenes[i] = read_file(files[i], paths[i], input);
+    scenes[i] = read_file(files[i], input);
     progress.finished(i);
   });
   ScenesRead read;
@@ -275,11 +253,34 @@ std::array<double, count> parse_doubles(const std::vector<std::string>& words, c
 
 }  // namespace
 
-LoadedScene load(const InputArguments& input) {
-  if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
-  require_use_of_unit(input);
+void require_use_of_unit(const InputArguments& input) {
+  const auto states = [&](const std::string& file) { return has_its_own_unit(file, input); };
+  if (!input.unit.empty() && std::all_of(input.files.begin(), input.files.end(), states))
+    throw Error(fmt::format("{}: the file states its unit itself: leave out --unit", input.files.front()));
+}
+
+ConvertedScene read_file(const std::string& file, const InputArguments& input) {
+  const fs::path path = path_of(file, input.folder);
+  ReadOptions options = read_options(input);
+  if (!options.metres_per_unit || !has_its_own_unit(file, input)) return read_as_it_is(file, path, input, options);
+  options.metres_per_unit.reset();
+  ConvertedScene read = read_as_it_is(file, path, input, options);
+  make_metres(read, file, "for the sake of --unit");
+  return read;
+}
+
+std::string different_units(const std::map<std::string, ConvertedScene>& read) {
+  const auto first = std::find_if(read.begin(), read.end(), states_unit);
+  const auto other = std::find_if(first, read.end(), [&](const ScenesRead::value_type& one) {
+    return states_unit(one) && metres_of(one.second.scene.unit) != metres_of(first->second.scene.unit);
+  });
+  if (other == read.end()) return {};
+  return fmt::format("{} and {}", unit_text(first->first, first->second.scene),
+                     unit_text(other->first, other->second.scene));
+}
+
+LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read) {
   LoadedScene loaded;
-  const ScenesRead read = read_all(input);
   const auto stated = std::find_if(read.begin(), read.end(), states_unit);
   loaded.scene.unit = stated == read.end() ? "unit" : stated->second.scene.unit;
   FreeNames names;
@@ -303,6 +304,12 @@ LoadedScene load(const InputArguments& input) {
   loaded.first_node.push_back(loaded.scene.nodes.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
   return loaded;
+}
+
+LoadedScene load(const InputArguments& input) {
+  if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
+  require_use_of_unit(input);
+  return joined(input, read_all(input));
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {

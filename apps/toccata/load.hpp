@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "three_mf.hpp"
 #include "toccata/bounds/aabb.hpp"
 #include "toccata/bounds/ball.hpp"
 
@@ -22,6 +24,19 @@ struct LoadedScene {
 /// Closes the gaps of the open meshes as --close says, and warns of each what was done. Throws Error for what is no
 /// length.
 void close_meshes(LoadedScene& loaded, const InputArguments& input);
+
+/// Throws Error where --unit is about none of the files.
+void require_use_of_unit(const InputArguments& input);
+
+/// What one of the files holds, whatever its format; in metres, where --unit says what the numbers of some other file
+/// are.
+ConvertedScene read_file(const std::string& file, const InputArguments& input);
+
+/// Which two files state different units, and which; empty where none do.
+std::string different_units(const std::map<std::string, ConvertedScene>& read);
+
+/// One scene of what the files hold, by their names, as `load` makes it of files whose units are equal.
+LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read);
 
 /// Reads all files into one scene. Objects of different files that are named alike get the file's path, or a number,
 /// added to their names. A file named twice is read once.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "option_kinds.hpp"
+#include "over_ranks.hpp"
 #include "subcommands.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/version.hpp"
@@ -85,6 +86,7 @@ int main_of(int argc, char** argv) {
   for (const auto add : all_subcommands) subcommands.push_back(add(app));
   if (const std::string message = mistyped_subcommand(app, argc, argv); !message.empty())
     return report_trouble(message);
+  run_over_ranks(app, argc, argv);
   try {
     std::vector<std::string> words = words_of(argc, argv);
     std::reverse(words.begin(), words.end());  // as CLI11 takes them

@@ -123,9 +123,13 @@ std::vector<fs::path> folders_of(const Asked& asked, const std::string& report) 
 }  // namespace
 
 Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const SceneQuestion& question) {
+  return asked_of(files_of(input.loaded, arguments.input.files, question), arguments, question);
+}
+
+Asked asked_of(std::vector<AskedFile> files, const PosedArguments& arguments, const SceneQuestion& question) {
   std::error_code trouble;  // where it was deleted
   return {fs::current_path(trouble).string(),
-          files_of(input.loaded, arguments.input.files, question),
+          std::move(files),
           arguments.input.unit,
           arguments.input.scale,
           arguments.input.split,

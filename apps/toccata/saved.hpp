@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "check_input.hpp"
@@ -10,6 +11,7 @@ namespace toccata::command {
 
 /// What is asked about the files of the arguments, which `input` was read from.
 Asked asked_of(const CheckInput& input, const PosedArguments& arguments, const SceneQuestion& question);
+Asked asked_of(std::vector<AskedFile> files, const PosedArguments& arguments, const SceneQuestion& question);
 
 /// What a crowd is asked of.
 CheckInput about_no_file();

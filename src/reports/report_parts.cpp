@@ -11,6 +11,7 @@
 
 #include "io/formats/utf8.hpp"
 #include "io/scenes/scene_shape.hpp"
+#include "reports/pair_motion.hpp"
 #include "toccata/core/version.hpp"
 
 namespace toccata::io {
@@ -175,11 +176,29 @@ std::string with_list(std::string document, const std::string& name, std::size_t
   return document + (count == 0 ? "]\n}\n" : "\n  ]\n}\n");
 }
 
-Json report_head(const std::string& schema, const Scene& scene, std::span<const SceneInstance> models,
-                 std::span<const std::string> warnings) {
-  Json json = {{"schema", schema}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};
-  Json& objects = json["objects"] = Json::array();
+Json objects_json(const Scene& scene, std::span<const SceneInstance> models) {
+  Json objects = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) objects.push_back(json_of(scene.objects[i], models[i]));
+  return objects;
+}
+
+Json objects_json(const Scene& scene, std::span<const std::string> summaries) {
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    objects.push_back(Json::parse(summaries[i])["object"]);
+    objects.back()["name"] = as_utf8(scene.objects[i].name);
+  }
+  return objects;
+}
+
+Json box_json(const SceneInstance& model) {
+  const std::optional<Aabb> box = placed(model).box;
+  return box ? json_of(*box) : Json();
+}
+
+Json report_head(const std::string& schema, const Scene& scene, Json objects, std::span<const std::string> warnings) {
+  Json json = {{"schema", schema}, {"version", version}, {"unit", scene.unit}, {"warnings", warnings}};
+  json["objects"] = std::move(objects);
   return json;
 }
 

@@ -66,8 +66,16 @@ inline constexpr const char* csv_distance_names =
 /// On one line.
 [[nodiscard]] std::string line_of(const Json& json);
 
+/// The objects of a report: of a scene as they were checked; or by summaries of them (`object_summaries`), with the
+/// names that they have in the scene.
+[[nodiscard]] Json objects_json(const Scene& scene, std::span<const SceneInstance> models);
+[[nodiscard]] Json objects_json(const Scene& scene, std::span<const std::string> summaries);
+
+/// The box around an object in its own frame; null where it has no end.
+[[nodiscard]] Json box_json(const SceneInstance& model);
+
 /// The head that all reports of `check` have; `schema` is its name and number.
-[[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, std::span<const SceneInstance> models,
+[[nodiscard]] Json report_head(const std::string& schema, const Scene& scene, Json objects,
                                std::span<const std::string> warnings);
 
 /// A field with a comma, quote or line break is quoted (RFC 4180).

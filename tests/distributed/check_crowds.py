@@ -2,7 +2,7 @@
 """What toccata-crowd-ranks and toccata-bench-ranks tell: the same pairs on any number of ranks, bytes within the bound,
 and a model that is right about what it can be right about, the counts.
 
-check_crowds.py MPIEXEC TOCCATA_CROWD_RANKS TOCCATA_BENCH_RANKS
+check_crowds.py MPIEXEC TOCCATA_CROWD_RANKS TOCCATA_BENCH_RANKS TOCCATA
 """
 import re
 import subprocess
@@ -34,13 +34,15 @@ def rows(output, heading, first):
     return found
 
 
-def check_crowd(mpiexec, crowd):
+def check_crowd(mpiexec, crowd, command):
     pairs = set()
     for ranks in (1, 2, 3):
         output = run(mpiexec, ranks, crowd, "--count", "1000", "--frames", "3", "--scene", "fast")
         table = rows(output, "^rank ", r" +\d")
         check(len(table) == ranks and sum(row[3] for row in table) == 1000, f"bodies on {ranks} ranks", output)
         pairs.update(re.findall(r"^(\d+) pairs in contact$", output, re.MULTILINE))
+    output = run(mpiexec, 2, command, "crowd", "--distributed", "--count", "1000", "--frames", "3", "--scene", "fast")
+    pairs.update(re.findall(r"^(\d+) pairs in contact$", output, re.MULTILINE) or ["none by --distributed"])
     check(len(pairs) == 1 and pairs.pop() > "0", f"pairs differ: {pairs}")
     check("--moving" in run(mpiexec, 1, crowd, "--moving", "2", code=2), "--moving 2 is told")
 
@@ -73,8 +75,8 @@ def check_scale(mpiexec, bench):
 
 
 def main():
-    mpiexec, crowd, bench = sys.argv[1:]
-    check_crowd(mpiexec, crowd)
+    mpiexec, crowd, bench, command = sys.argv[1:]
+    check_crowd(mpiexec, crowd, command)
     check_bench(mpiexec, bench)
     check_scale(mpiexec, bench)
     print("\n".join(TROUBLE) or "crowds over ranks are what they should be")

@@ -1,22 +1,79 @@
 #!/usr/bin/env python3
-"""What toccata-check-ranks writes, on several ranks, is what the command writes on one process, to the byte.
+"""What toccata-check-ranks writes, on several ranks, is what the command writes on one process, to the byte: lines of
+values and JSON, of files of many kinds, with the same warnings and exit codes; and so does the command with --distributed,
+which runs it.
 
 check_ranks.py MPIEXEC RANKS TOCCATA TOCCATA_CHECK_RANKS
 """
+import json
 import pathlib
 import random
 import subprocess
 import sys
 import tempfile
+import zipfile
 
+MPIEXEC, RANKS, COMMAND, OVER_RANKS = sys.argv[1:]
+TROUBLE = []
 FACES = ((1, 3, 2), (2, 3, 4), (5, 6, 7), (6, 8, 7), (1, 2, 5), (2, 6, 5), (3, 7, 4), (4, 7, 8), (1, 5, 3), (3, 5, 7),
          (2, 4, 6), (4, 8, 6))
 
 
-def write_box(path, lower, upper):
-    lines = [f"v {(lower, upper)[i & 1][0]} {(lower, upper)[i >> 1 & 1][1]} {(lower, upper)[i >> 2][2]}" for i in range(8)]
-    lines += ["f " + " ".join(map(str, face)) for face in FACES]
-    path.write_text("\n".join(lines) + "\n")
+def corners(lower, upper):
+    return [((lower, upper)[i & 1][0], (lower, upper)[i >> 1 & 1][1], (lower, upper)[i >> 2][2]) for i in range(8)]
+
+
+def lines(word, rows):
+    return "".join(word + " ".join(map(str, row)) + "\n" for row in rows)
+
+
+def write_obj(path, lower, upper):
+    path.write_text(lines("v ", corners(lower, upper)) + lines("f ", FACES))
+
+
+def write_off(path, lower, upper, faces):
+    """The first so many faces: with less than 12 it is open."""
+    rows = [(3, *(corner - 1 for corner in face)) for face in FACES[:faces]]
+    path.write_text(f"OFF\n8 {faces} 0\n" + lines("", corners(lower, upper)) + lines("", rows))
+
+
+def write_with_gap(path, lower, upper):
+    """A box whose lowest side is a thousandth away."""
+    points = corners(lower, upper) + [(x, y, z - 0.001) for x, y, z in corners(lower, upper)[:4]]
+    rows = [(3, *(corner + (7 if i < 2 else -1) for corner in face)) for i, face in enumerate(FACES)]
+    path.write_text("OFF\n12 12 0\n" + lines("", points) + lines("", rows))
+
+
+def write_ply(path, lower, upper):
+    head = "ply\nformat ascii 1.0\nelement vertex 8\n" + lines("property double ", "xyz") + "element face 12\nproperty list uchar int vertex_indices\nend_header\n"
+    path.write_text(head + lines("", corners(lower, upper)) + lines("3 ", [[corner - 1 for corner in face] for face in FACES]))
+
+
+def write_stl(path, lower, upper):
+    points = corners(lower, upper)
+    facets = ["facet normal 0 0 0\nouter loop\n" + lines("vertex ", [points[corner - 1] for corner in face]) + "endloop\nendfacet\n" for face in FACES]
+    path.write_text("solid box\n" + "".join(facets) + "endsolid box\n")
+
+
+def write_three_mf(path, lower, upper):
+    vertices = "".join(f'<vertex x="{x}" y="{y}" z="{z}"/>' for x, y, z in corners(lower, upper))
+    triangles = "".join(f'<triangle v1="{a - 1}" v2="{b - 1}" v3="{c - 1}"/>' for a, b, c in FACES)
+    kind = "http://schemas.microsoft.com/3dmanufacturing/"
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("_rels/.rels", f'<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/a.model" Id="a" Type="{kind}2013/01/3dmodel"/></Relationships>')
+        file.writestr("3D/a.model", f'<model unit="millimeter" xmlns="{kind}core/2015/02"><resources><object id="1" name="box" type="model"><mesh><vertices>{vertices}</vertices>'
+                                    f'<triangles>{triangles}</triangles></mesh></object></resources><build><item objectid="1"/></build></model>')
+
+
+def write_scene(path):
+    """Shapes of many kinds, two of one group, a surface, and a mesh without an end to its scale."""
+    shapes = [{"name": "ball", "shape": {"type": "sphere", "radius": 0.75}, "pose": {"translation": [1, 1, 1]}},
+              {"name": "rod", "shape": {"type": "capsule", "start": [-1, 0, 0], "end": [5, 0.1, 0.3], "radius": 0.1}, "group": "frame"},
+              {"name": "ground", "shape": {"type": "half-space", "normal": [0.1, 0, 1], "point": [0, 0, -0.2]}, "group": "frame"},
+              {"name": "box", "generate": "box", "parameters": {"half-x": 0.4, "half-y": 0.4, "half-z": 0.4}, "solid": "none",
+               "pose": {"translation": [2, 2, 2], "rotation": {"axis": [1, 2, 3], "degrees": 30}}},
+              {"name": "town", "generate": "box", "parameters": {"half-x": 4000, "half-y": 1, "half-z": 1}, "pose": {"translation": [0, 0, 30]}}]
+    path.write_text(json.dumps({"format": "toccata-scene", "version": 1, "unit": "mm", "objects": shapes}))
 
 
 def write_boxes(folder):
@@ -27,36 +84,81 @@ def write_boxes(folder):
         upper = [at + numbers.uniform(0.3, 1.5) for at in lower]
         files.append(folder / f"part{i}" / "box.obj")  # all of one name
         files[-1].parent.mkdir()
-        write_box(files[-1], lower, upper)
+        write_obj(files[-1], lower, upper)
     return [str(file) for file in files]
+
+
+def write_mixed(folder):
+    """Files of many kinds, of units that differ, with open meshes, boxes that touch exactly, and one that is named twice."""
+    write_obj(folder / "box.obj", (0, 0, 0), (1, 1, 1))
+    write_with_gap(folder / "gap.off", (3, 0, 0), (4, 1, 1))
+    write_off(folder / "open.off", (0.5, 0.5, 0.5), (2.5, 2.5, 2.5), 10)
+    write_off(folder / "beside.off", (1, 0, 0), (2, 1, 1), 12)
+    write_ply(folder / "box.ply", (0.1, 0.1, 0.1), (0.9, 0.9, 0.9))
+    write_stl(folder / "far.stl", (4, 4, 4), (5, 5, 5))
+    write_three_mf(folder / "printed.3mf", (0.25, -1, 0.25), (0.75, 3, 0.75))
+    write_scene(folder / "scene.json")
+    names = ["box.obj", "gap.off", "open.off", "scene.json", "beside.off", "box.ply", "far.stl", "printed.3mf", "box.obj"]
+    return [str(folder / name) for name in names] + ["gen:torus?radius=2&tube-radius=0.25"]
 
 
 def run(*words):
     return subprocess.run(words, capture_output=True, text=True, check=False)
 
 
+def over_ranks(*words):
+    return run(MPIEXEC, "-np", RANKS, OVER_RANKS, *words)
+
+
+def check(is_right, what, *runs):
+    if not is_right:
+        TROUBLE.append("\n".join([what, *(f"exit code {one.returncode}\n{one.stdout[:4000]}\n{one.stderr}" for one in runs)]))
+
+
+def compare(files, options, least_lines):
+    for form in ("--csv", "--json"):
+        one = run(COMMAND, "check", *files, *options, form)
+        many = over_ranks(*files, *options) if form == "--csv" else run(MPIEXEC, "-np", RANKS, COMMAND, "check", "--distributed", *files, *options, form)
+        check(one.stdout == many.stdout and one.returncode == many.returncode == 1, f"{options} {form}", one, many)
+        check(one.stdout.count("\n") >= least_lines, f"{options} {form}: too little is told", one)
+        check(all(many.stderr.count(line) == 1 for line in one.stderr.splitlines()), f"{options} {form}: warnings", one, many)
+    return json.loads(one.stdout)
+
+
+def check_mixed(folder):
+    files = write_mixed(folder)
+    for solid in ([], ["--solid", "auto"], ["--solid", "none"]):
+        compare(files, solid, 20)
+    report = compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20)
+    check({"overlapping", "touching", "apart"} <= {pair["relation"] for pair in report["pairs"]}, f"relations in {report['pairs']}")
+    warnings = " ".join(report["warnings"])
+    check(all(words in warnings for words in ("are open", "closed by --close", "as large as", "compared as they are")), f"warnings: {warnings}")
+    compare(files, ["--penetration", "--volume", "--tolerance", "0.05", "--touching", "ignore"], 20)
+    compare([file for file in files if not file.endswith((".json", ".3mf"))], ["--unit", "in", "--scale", "2", "--clearance", "1mm"], 9)
+    compare([str(folder), "gen:box"], [], 9)  # the mesh files in it
+
+
+def check_refusals(folder, files):
+    broken = folder / "broken.obj"
+    broken.write_text("v 0 0 zero\n")
+    for words, told in (([*files, str(broken)], "broken.obj"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
+                        ([*files, "--clearance", "2mm"], "--clearance"), (files[:1], "a check needs two"), ([*files, "--unit", "inch"], "inch"),
+                        ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html")):
+        many = over_ranks(*words)
+        check(many.returncode == 2 and many.stderr.count(told) == 1 and not many.stdout, f"{words[-2:]}", many)
+
+
 def main():
-    mpiexec, ranks, command, over_ranks = sys.argv[1:]
-    launch = [mpiexec, "-np", ranks, over_ranks]
-    trouble = []
-    with tempfile.TemporaryDirectory() as folder:
-        files = write_boxes(pathlib.Path(folder))
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "mixed").mkdir()
+        files = write_boxes(folder)
         for options in ([], ["--clearance", "0.3"], ["--penetration", "--volume"], ["--touching", "ignore", "--solid", "none"]):
-            one, many = run(command, "check", *files, *options, "--csv"), run(*launch, *files, *options)
-            if one.stdout != many.stdout or one.returncode != many.returncode or not one.stdout.count("\n") > 9:
-                trouble.append(f"{options}: exit codes {one.returncode} and {many.returncode}, {len(one.stdout)} and "
-                               f"{len(many.stdout)} bytes\n{many.stderr}")
-        broken = pathlib.Path(folder) / "broken.obj"
-        broken.write_text("v 0 0 zero\n")
-        many = run(*launch, *files, str(broken))
-        if many.returncode != 2 or many.stderr.count("broken.obj") != 1 or many.stdout:
-            trouble.append(f"a broken file: exit code {many.returncode}\n{many.stderr}")
-        for words, told in (([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"), (files[:1], "a check needs two")):
-            many = run(*launch, *words)
-            if many.returncode != 2 or many.stderr.count(told) != 1 or many.stdout:
-                trouble.append(f"{words[-2:]}: exit code {many.returncode}\n{many.stderr}")
-    print("\n".join(trouble) or f"{ranks} ranks write the same bytes")
-    return 1 if trouble else 0
+            compare(files, options, 10)
+        check_mixed(folder / "mixed")
+        check_refusals(folder, files)
+    print("\n".join(TROUBLE) or f"{RANKS} ranks write the same bytes")
+    return 1 if TROUBLE else 0
 
 
 if __name__ == "__main__":

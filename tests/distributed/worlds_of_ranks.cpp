@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -139,6 +142,42 @@ TEST(WorldsOfRanks, GiveTheIdOfARemovedBodyToAnotherInTheSameStep) {
   twins.step();
   EXPECT_EQ(twins.world.last_step().end.size(), twins.world.last_step().begin.size());
   twins.step();
+}
+
+/// From 0.001 to 1000, each at the surface of one of any size, where it goes on to another now and then: a part of
+/// space is smaller than some bodies, and has a thousand of others.
+TEST(WorldsOfRanks, TellThePairsOfSizesOverSixDecades) {
+  Random random(11);
+  TwinWorlds twins;
+  std::vector<double> sizes;
+  std::vector<Body> bodies;
+  const auto at_another = [&] {
+    const std::size_t other = random.below(sizes.size());
+    const Vec3 way = normalized(vector_in(random, -1, 1));
+    return Pose{random_rotation(random), bodies[other].pose.offset + random.between(0.9, 1) * sizes[other] * way};
+  };
+  for (int i = 0; i < 150; ++i) {
+    const double size = std::pow(10, i < 2 ? 6 * i - 3 : random.between(-3, 3));
+    const Pose pose = i == 0 ? Pose{} : at_another();
+    sizes.push_back(size);
+    bodies.push_back({random_solid(size, random), pose});
+  }
+  twins.add(bodies);
+  twins.step();
+  const std::vector<BodyId> ids = twins.world.bodies();
+  std::map<BodyId, double> size_of;
+  for (std::size_t i = 0; i < ids.size(); ++i) size_of[ids[i]] = sizes[i];
+  double largest_ratio = 0;
+  for (int frame = 0; frame < 20 && !HasFailure(); ++frame) {
+    SCOPED_TRACE(frame);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (random.below(4) == 0) twins.move(ids[i], bodies[i].pose = at_another());
+    twins.step();
+    for (const PairReport& pair : twins.world.pairs())
+      if (pair.in_contact)
+        largest_ratio = std::max({largest_ratio, size_of[pair.a] / size_of[pair.b], size_of[pair.b] / size_of[pair.a]});
+  }
+  EXPECT_GT(largest_ratio, 3e5);
 }
 
 TEST(WorldsOfRanks, ShareTheWorkAndKeepFewGhosts) {

@@ -57,6 +57,29 @@ TEST(ContentDigest, TellsApartEverythingThatIsAskedAbout) {
   EXPECT_NE(content_digest(std::array{object}, "mm"), digest);
 }
 
+/// Of a mesh with numbers that no decimal fraction is, shapes with an end and without, and names that are no UTF-8.
+TEST(ObjectSummaries, MakeTheReportAndTheDigestWhereTheShapesAreNot) {
+  Scene scene{{box_object(), box_object(), SceneObject{}, SceneObject{}}, {}, "mm"};
+  scene.objects[1].pose = {rotation_about({1, 2, 3}, 30), {0.1, 1.0 / 3, -0.0}};
+  scene.objects[1].solid = Solid::none;
+  scene.objects[2].shape = HalfSpace({0, 0, 1}, {0, 0, 0.5});
+  scene.objects[2].group = "frame";
+  scene.objects[3].shape = Sphere(0.7);
+  scene.objects[3].pose = Pose::translation(1, 0, 0);
+  scene.objects[3].source = "a.json";
+  const std::vector<SceneInstance> models = scene_models(scene);
+  const std::vector<std::string> summaries = object_summaries(scene, models);
+
+  Scene named{{4, SceneObject{}}, {}, "mm"};
+  for (std::size_t i = 0; i < 4; ++i)
+    named.objects[i].name = scene.objects[i].name = i == 2 ? "\xff" : "part " + std::to_string(i);
+  const std::vector<std::string> warnings{"of something"};
+  const CheckReport report = std::get<CheckReport>(ask(models, CheckQuestion{}));
+  EXPECT_FALSE(report.pairs.empty());
+  EXPECT_EQ(check_report_json(named, summaries, report, warnings), report_json(scene, models, report, warnings));
+  EXPECT_EQ(content_digest(named.objects, summaries, "mm"), content_digest(scene.objects, "mm"));
+}
+
 Asked everything_asked() {
   Asked asked{.folder = "/somewhere", .files = {{"a.stl", "0123456789abcdef"}, {"gen:box", "fedcba9876543210"}}};
   asked.unit = "mm";

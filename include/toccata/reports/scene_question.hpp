@@ -29,6 +29,9 @@ namespace toccata {
 /// Which pairs touch, or are nearer than their clearance: `check`.
 using CheckQuestion = ReportOptions;
 
+/// What it asks of `check_all`; its rules, order and groups are no part of that.
+[[nodiscard]] CheckOptions check_all_options(const CheckQuestion& question);
+
 /// Whether rules leave a pair to be checked: two models that are not of one group. A check of which they leave none is
 /// passed by looking at nothing.
 [[nodiscard]] bool leave_a_pair(const NameRules& rules, std::span<const SceneInstance> models);
@@ -329,6 +332,16 @@ struct Asked {
 
 /// The same of a scene with its tree of nodes, for a question about that.
 [[nodiscard]] std::string content_digest(const Scene& scene);
+
+/// What a report of `check` and the digest tell of each object of a scene, as JSON: made where the shapes are, for
+/// those who know no more than the names of the objects, as other ranks do (distributed_scene.hpp).
+[[nodiscard]] std::vector<std::string> object_summaries(const Scene& scene, std::span<const SceneInstance> models);
+
+/// `report_json` and `content_digest` of objects of which only the names are looked at, and their summaries.
+[[nodiscard]] std::string check_report_json(const Scene& scene, std::span<const std::string> summaries,
+                                            const CheckReport& report, std::span<const std::string> warnings = {});
+[[nodiscard]] std::string content_digest(std::span<const SceneObject> objects, std::span<const std::string> summaries,
+                                         const std::string& unit);
 
 /// The report that `report_json` made, with what was asked as its last member.
 [[nodiscard]] std::string with_asked(std::string report, const Asked& asked);

@@ -13,7 +13,6 @@
 #include "reports/clash_groups.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
-#include "reports/pair_motion.hpp"
 #include "reports/pair_order.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
@@ -67,11 +66,9 @@ void add_baseline(io::Json& json, const CheckReport& report) {
   }
 }
 
-/// Around each object in its own frame, where it has an end: by it and its pose another report knows whether it has
-/// moved since.
-void add_boxes(io::Json& json, std::span<const SceneInstance> models) {
-  for (std::size_t i = 0; i < models.size(); ++i)
-    if (const auto box = io::placed(models[i]).box) json["objects"][i]["box"] = io::json_of(*box);
+void add_boxes(io::Json& json, std::vector<io::Json> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].is_null()) json["objects"][i]["box"] = std::move(boxes[i]);
 }
 
 /// What was asked about tolerances, where something was, and which clashes belong together.
@@ -392,14 +389,7 @@ struct CheckKind {
   }
 
   static CheckReport ask(const CheckQuestion& question, const io::Asking& asking) {
-    CheckOptions options;
-    options.contacts = question.faces;
-    options.penetration = question.penetration;
-    options.depth = question.depth;
-    options.clearance = question.clearance;
-    options.pair_clearances = question.pair_clearances;
-    options.volume = question.volume;
-    options.tolerance = question.tolerance;
+    CheckOptions options = check_all_options(question);
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
     if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
@@ -426,7 +416,7 @@ struct CheckKind {
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
     io::Json json = reporting.head("toccata/check/2");
-    if (report.has_boxes) add_boxes(json, reporting.models);
+    if (report.has_boxes) add_boxes(json, reporting.boxes());
     json["candidate_pairs"] = report.candidate_pairs;
     json["ignored_touching"] = report.ignored_touching;
     add_tolerance_and_groups(json, reporting.scene, report);
@@ -498,6 +488,18 @@ std::string pair_line_json(const Scene& scene, const CheckReport& report, std::s
   for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end))
     text.erase(end, std::min(text.find_first_not_of(" \n", end), text.size()) - end);
   return text;
+}
+
+CheckOptions check_all_options(const CheckQuestion& question) {
+  CheckOptions options;
+  options.contacts = question.faces;
+  options.penetration = question.penetration;
+  options.depth = question.depth;
+  options.volume = question.volume;
+  options.tolerance = question.tolerance;
+  options.clearance = question.clearance;
+  options.pair_clearances = question.pair_clearances;
+  return options;
 }
 
 constinit const io::QuestionKind CheckQuestion::kind = io::question_kind<CheckKind>();

@@ -33,9 +33,13 @@ struct Reporting {
   const Scene& scene;
   std::span<const SceneInstance> models;
   std::span<const std::string> warnings;
+  std::span<const std::string> summaries{};  ///< `object_summaries` instead of models, where these are elsewhere
 
   /// `report_head` of that schema.
   [[nodiscard]] Json head(const char* schema) const;
+  /// Around each object in its own frame, or null where it has no end: by it and its pose another report knows whether
+  /// it has moved since.
+  [[nodiscard]] std::vector<Json> boxes() const;
 };
 
 /// The two objects that a finding is about; one alone is named twice.

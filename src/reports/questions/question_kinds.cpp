@@ -24,7 +24,17 @@ void Asking::require_two() const {
                             models.size() == 1 ? "is" : "are", models.size()));
 }
 
-Json Reporting::head(const char* schema) const { return report_head(schema, scene, models, warnings); }
+Json Reporting::head(const char* schema) const {
+  return report_head(schema, scene, summaries.empty() ? objects_json(scene, models) : objects_json(scene, summaries),
+                     warnings);
+}
+
+std::vector<Json> Reporting::boxes() const {
+  std::vector<Json> boxes;
+  for (const SceneInstance& model : models) boxes.push_back(box_json(model));
+  for (const std::string& summary : summaries) boxes.push_back(Json::parse(summary)["box"]);
+  return boxes;
+}
 
 Json json_of(const SceneQuestion& question) {
   const QuestionKind& kind = question_kind_of(question);
@@ -67,6 +77,11 @@ std::string name_of(const SceneQuestion& question) { return io::question_kind_of
 std::string report_json(const Scene& scene, std::span<const SceneInstance> models, const SceneAnswer& answer,
                         std::span<const std::string> warnings) {
   return io::question_kind_of(answer).json(answer, {scene, models, warnings});
+}
+
+std::string check_report_json(const Scene& scene, std::span<const std::string> summaries, const CheckReport& report,
+                              std::span<const std::string> warnings) {
+  return CheckQuestion::kind.json(report, {scene, {}, warnings, summaries});
 }
 
 std::string report_csv(const Scene& scene, const SceneAnswer& answer) {

@@ -59,7 +59,7 @@ Json json_of(const RecordedPair& pair) {
 }
 
 std::string report_of(const WorldRecording& recording, const io::RecordedBodies& bodies) {
-  Json json = io::report_head("toccata/world/2", bodies.scene, bodies.models, {});
+  Json json = io::report_head("toccata/world/2", bodies.scene, io::objects_json(bodies.scene, bodies.models), {});
   Json& steps = json["steps"] = Json::array();
   for (const RecordedFrame& frame : recording.frames()) {
     Json pairs = Json::array();
