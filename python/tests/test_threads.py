@@ -163,7 +163,9 @@ except KeyboardInterrupt:
     ("", "robot.allowed_pairs(500_000, threads=1)"),
     ("mesh, other = toccata.DeformingMesh(ball, -ball.vertices), toccata.DeformingMesh(ball)", "mesh.free_steps(other)"),
     ("ways = [toccata.RigidMotion(None, translation=(9, 0, 0), turns=2)] * 2_000", "toccata.sweep_each(knot, ways, knot, (4.5, 0, 0), threads=1)"),
-], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each"])
+    ("poses = numpy.tile(numpy.eye(4), (2_000_000, 1, 1)); poses[:, 0, 3] = numpy.linspace(2.5, 3, 2_000_000)",
+     "toccata.relation_each(toccata.Ellipsoid((1, 2, 3)), toccata.Cylinder(1, 1), poses_b=poses, threads=1)"),
+], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each", "plain_shapes"])
 def test_ctrl_c_ends_what_takes_long(given, asked):
     program = INTERRUPTED_WITHIN.replace("GIVEN", given).replace("ASKED", asked)
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
