@@ -244,7 +244,11 @@ Mesh generated(const std::string& name, const nb::kwargs& parameters) {
   for (const auto& [key, value] : parameters) {
     auto parameter = nb::cast<std::string>(key);
     std::replace(parameter.begin(), parameter.end(), '_', '-');
-    given[parameter] = nb::cast<double>(value);
+    double number = 0;
+    if (!nb::try_cast(value, number))
+      throw Error(
+          fmt::format("{}: a number is needed, and not {}", nb::cast<std::string>(key), nb::repr(value).c_str()));
+    given[parameter] = number;
   }
   return {{without_lock([&] { return Model(generate_mesh(name, given)); })}};
 }

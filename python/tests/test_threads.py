@@ -1,7 +1,9 @@
 """Questions are asked without the interpreter's lock, and Ctrl-C ends a batch."""
 
+import copy
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -186,6 +188,14 @@ def test_processes_that_are_forked_or_spawned():
         assert results.get(timeout=60) == expected
         process.join(60)
         assert process.exitcode == 0
+
+
+def test_functions_are_handed_to_processes():
+    ball, box = toccata.Sphere(1), toccata.Box((1, 1, 1))
+    for function in (toccata.overlap, toccata.distance_each, toccata.check_all):
+        assert pickle.loads(pickle.dumps(function)) is function and copy.deepcopy(function) is function
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.starmap(toccata.overlap, [(ball, box, None, (x, 0, 0)) for x in (0, 9)]) == [True, False]
 
 
 # What it needs of Python beside numpy, all of it small.
