@@ -28,6 +28,7 @@ CORRECTIONS = (
     (r"other: object, /", "other: builtins.object, /"),  # some classes have an `object` of their own
     (r"__hash__: None = None", "__hash__: ClassVar[None]  # type: ignore[assignment]"),
     (r"\btuple(?=[:,])", "tuple[builtins.object, ...]"),
+    (r"\bos\.PathLike(?!\[)", "os.PathLike[str]"),
     (r"(?<=def __reduce__\(self\) -> )object", "tuple[builtins.object, ...]"),
 )
 

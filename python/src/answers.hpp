@@ -193,7 +193,7 @@ nb::class_<Answer> bind_answer(nb::module_& module) {
             return nb::isinstance<Answer>(other) &&
                    state_of(members, bytes(answer)).equal(state_of(members, bytes(nb::cast<const Answer&>(other))));
           },
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__getstate__", [bytes](const Answer& answer) { return state_of(members, bytes(answer)); })
       .def("__setstate__", [](Answer& answer, const nb::tuple& state) {
         Answer told{};

@@ -152,10 +152,13 @@ bool is_row(nb::handle given) {
   return count > 0;
 }
 
+bool is_tuple_or_list(nb::handle given) { return PyTuple_Check(given.ptr()) || PyList_Check(given.ptr()); }
+
 /// (R, t), and no list of two translations, poses or matrices.
 bool is_pair(nb::handle given) {
-  if ((!PyTuple_Check(given.ptr()) && !PyList_Check(given.ptr())) || nb::len(given) != 2) return false;
+  if (!is_tuple_or_list(given) || nb::len(given) != 2) return false;
   const nb::object linear = given[0], offset = given[1];
+  if (nb::isinstance<Pose>(offset)) return false;
   if (tells_a_matrix(linear)) return !tells_a_matrix(offset);
   if (nb::isinstance<Pose>(linear) || !is_row(linear)) return false;
   return is_row(nb::object(linear[0])) && !(is_row(offset) && is_row(nb::object(offset[0])));
@@ -288,6 +291,41 @@ Pose Poses::operator[](std::size_t i) const {
 
 namespace {
 
+/// Of a list: numbers alone, which are one array, make none of its entries such.
+bool is_posed(nb::handle given) {
+  return given.is_none() || nb::isinstance<Pose>(given) || tells_a_matrix(given) || is_pair(given);
+}
+
+bool is_list_of_poses(nb::handle given) {
+  if (!is_tuple_or_list(given)) return false;
+  for (const nb::handle entry : given)
+    if (is_posed(entry)) return true;
+  return false;
+}
+
+/// A rotation that is an array of many, as scipy's may be.
+bool tells_many(nb::handle linear) {
+  const bool is_array = tells_a_matrix(linear) || nb::ndarray_check(linear);
+  return is_array && doubles(tells_a_matrix(linear) ? told_matrix(linear) : nb::borrow(linear), "").shape.size() == 3;
+}
+
+/// (R, t) of many rotations, (N, 3, 3), and as many translations or one for all.
+Poses poses_of_parts(nb::handle rotations, nb::handle offsets, std::string_view what) {
+  const Doubles linear = doubles(tells_a_matrix(rotations) ? told_matrix(rotations) : nb::borrow(rotations), what);
+  const Doubles offset = doubles(offsets, what);
+  const bool single = offset.has_shape(1, {3});
+  if (!linear.has_shape(3, {3, 3}) || (!single && !offset.has_shape(2, {3})) ||
+      (!single && offset.rows() != linear.rows()))
+    throw Error(
+        fmt::format("{}: of many rotations (N, 3, 3) and translations (N, 3), as many are needed, or one translation, "
+                    "and what is given has the shapes {} and {}",
+                    what, shape_text(linear.shape), shape_text(offset.shape)));
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < linear.rows(); ++i)
+    poses.push_back({linear_at(linear.data + 9 * i), vector_at(offset.data + (single ? 0 : 3 * i))});
+  return Poses(std::move(poses));
+}
+
 Poses poses_of_list(nb::handle given, std::string_view what) {
   std::vector<Pose> poses;
   for (const nb::handle pose : given) {
@@ -301,9 +339,10 @@ Poses poses_of_list(nb::handle given, std::string_view what) {
 }  // namespace
 
 Poses poses_of(nb::handle given, std::string_view what) {
+  if (is_tuple_or_list(given) && nb::len(given) == 2 && tells_many(given[0]) && !tells_a_matrix(given[1]))
+    return poses_of_parts(given[0], given[1], what);
   if (given.is_none() || is_pair(given) || nb::isinstance<Pose>(given)) return Poses(pose_of(given, what));
-  if ((PyTuple_Check(given.ptr()) || PyList_Check(given.ptr())) && nb::len(given) > 0 && nb::isinstance<Pose>(given[0]))
-    return poses_of_list(given, what);
+  if (is_list_of_poses(given)) return poses_of_list(given, what);
   const bool of_scipy = tells_a_matrix(given);
   Doubles numbers = doubles(of_scipy ? told_matrix(given) : nb::borrow(given), what);
   if (numbers.has_shape(2, {4, 4}) || numbers.has_shape(2, {3, 4}) || numbers.has_shape(1, {3}) ||

@@ -32,9 +32,8 @@ class SignalTimes {
 
 }  // namespace
 
-Interruptible::Interruptible(int threads, bool quick) {
+Interruptible::Interruptible(int threads) {
   options_.threads = threads;
-  if (quick) return;
   options_.progress = [caller = std::this_thread::get_id(), times = SignalTimes()](std::size_t, std::size_t) mutable {
     if (std::this_thread::get_id() != caller || !times.has_come()) return;
     const nb::gil_scoped_acquire acquired;

@@ -45,8 +45,7 @@ auto asked_about(const Model& model, const Ask& ask) {
 /// What a batch is told so that Ctrl-C ends it: now and then the thread that asked looks whether a signal has come.
 class Interruptible {
  public:
-  /// `quick`: what would be asked so often that looking for signals took longer than to answer; then nobody looks.
-  Interruptible(int threads, bool quick);
+  explicit Interruptible(int threads);
 
   [[nodiscard]] const BatchOptions& options() const { return options_; }
 

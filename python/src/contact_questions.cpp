@@ -14,6 +14,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "contact_rows.hpp"
+#include "manifold_values.hpp"
 #include "pair_arguments.hpp"
 #include "shapes.hpp"
 #include "workspace.hpp"
@@ -145,11 +146,11 @@ nb::object depths_of(const Manifold& manifold) {
 }
 
 void bind_manifold(nb::module_& module) {
-  nb::class_<Manifold>(
+  nb::class_<Manifold> bound(
       module, "Manifold",
       "Where two convex shapes touch or overlap: up to four points that stand for the region of contact, "
-      "rounded. Its length is the number of points, 0 when they are apart.")
-      .def("__len__", [](const Manifold& m) { return m.count; })
+      "rounded. Its length is the number of points, 0 when they are apart.");
+  bound.def("__len__", [](const Manifold& m) { return m.count; })
       .def_prop_ro("count", [](const Manifold& m) { return m.count; })
       .def_prop_ro(
           "normal", [](const Manifold& m) { return array_of(m.normal); }, "Unit, from A to B; shape (3,).")
@@ -160,6 +161,8 @@ void bind_manifold(nb::module_& module) {
           "depths", [](const Manifold& m) { return nb::borrow<Floats>(depths_of(m)); },
           "How deep the surfaces overlap there along the normal; negative is a gap. Shape (count,).")
       .def("__repr__", [](const Manifold& m) { return fmt::format("<toccata.Manifold of {} points>", m.count); });
+  bind_manifold_values(bound);
+  bound.attr("__hash__") = nb::none();  // of ModelManifold too
   def_pair_question(
       module, "manifold",
       R"(Where two convex shapes, or one and a half-space, touch or overlap: up to four points and a normal.

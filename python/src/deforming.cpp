@@ -154,7 +154,7 @@ void bind_impacts(nb::class_<HeldDeforming>& bound, const char* name, const char
       name,
       [ask, tell](const HeldDeforming& held, const HeldDeforming* other, double separation, bool starts_free,
                   int threads) {
-        return tell(Interruptible(threads, false).ask([&](const BatchOptions& batch) {
+        return tell(Interruptible(threads).ask([&](const BatchOptions& batch) {
           const ImpactOptions options{separation, starts_free, batch.threads, batch.progress};
           return held.ask(other, [&](const auto&... meshes) { return ask(options, meshes...); });
         }));

@@ -13,6 +13,7 @@
 
 #include "contact_rows.hpp"
 #include "depths.hpp"
+#include "manifold_values.hpp"
 #include "object_questions.hpp"
 #include "pair_arguments.hpp"
 #include "workspace.hpp"
@@ -102,8 +103,9 @@ nb::object elements_told(const std::array<Index, 4>& elements, int count) {
 }
 
 void bind_manifolds(nb::module_& module) {
-  nb::class_<ModelManifold, Manifold>(module, "ModelManifold",
-                                      "A Manifold, and the two elements at which each of its points lies.")
+  nb::class_<ModelManifold, Manifold> bound(module, "ModelManifold",
+                                            "A Manifold, and the two elements at which each of its points lies.");
+  bound
       .def_prop_ro(
           "elements_a",
           [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_a, m.count)); },
@@ -111,6 +113,7 @@ void bind_manifolds(nb::module_& module) {
       .def_prop_ro(
           "elements_b",
           [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_b, m.count)); }, "Of B.");
+  bind_manifold_values(bound);
   def_pair_question(
       module, "manifolds",
       R"(Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.

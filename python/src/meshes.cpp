@@ -1,9 +1,11 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -171,10 +173,10 @@ void bind_hulls(nb::module_& module) {
 void bind_scene_files(nb::module_& module) {
   module.def(
       "load_scene",
-      [](const std::string& path, const std::optional<std::string>& unit, double scale, bool split) {
+      [](const std::filesystem::path& path, const std::optional<std::string>& unit, double scale, bool split) {
         ReadOptions options{.scale = scale, .split = split};
         if (unit) options.metres_per_unit = metres_per_unit(*unit);
-        return without_lock([&] { return scene_models(read_scene(path, options)); });
+        return without_lock([&] { return scene_models(read_scene(path.string(), options)); });
       },
       nb::arg("path"), nb::arg("unit") = nb::none(), nb::kw_only(), nb::arg("scale") = 1.0, nb::arg("split") = false,
       "The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their "

@@ -142,6 +142,7 @@ finite.)")
           },
           nb::arg("start") = nb::none(), nb::arg("translation") = origin, nb::arg("turns") = 0.0,
           nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("centre") = origin)
+      .def("__copy__", [](const HeldMotion& motion) { return motion; })
       .def_static(
           "straight",
           [](const PoseLike& start, const ArrayLike& translation) -> HeldMotion {
@@ -229,7 +230,7 @@ conservative advancement", 2009). Raises Error like cast_shape.)");
         const std::vector<RigidMotion> ways = motions_of(motions_a, "motions_a");
         const RigidMotion of_b = motion_of(motion_b, "motion_b");
         const SweepQuery query{solid_a, solid_b, stop_before};
-        return structured(Interruptible(threads, false).ask([&, x = a.model, y = b.model](const BatchOptions& options) {
+        return structured(Interruptible(threads).ask([&, x = a.model, y = b.model](const BatchOptions& options) {
           std::vector<ShapeHit> hits(ways.size());
           parallel_for(ways.size(), threads, [&](std::size_t i) {
             options.progress(i, ways.size());

@@ -97,7 +97,7 @@ class ObjectQuestions {
   template <class Ask>
   static auto of_many(const Bound& bound, const nb::object& only, int threads, const Ask& ask) {
     const auto filter = Told::filter_of(bound, only);
-    const Interruptible call(threads, false);
+    const Interruptible call(threads);
     return call.ask([&](const BatchOptions& options) {
       return bound.ask([&](const Queries& queries) { return ask(queries, filter, options); });
     });

@@ -1,7 +1,9 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,7 +60,7 @@ void bind_pages(nb::module_& module) {
         question.penetration = penetration;
         question.clearance = clearance;
         const ViewOptions view{title, up_of(up), {}, {}};
-        const Interruptible call(threads, false);
+        const Interruptible call(threads);
         return call.ask(
             [&](const BatchOptions& options) { return page_of(std::move(instances), question, view, options); });
       },
@@ -71,7 +73,9 @@ curves; penetration: how deep; clearance: how far apart, in the unit of the coor
 another axis.)");
   module.def(
       "write_view_page",
-      [](const std::string& page, const std::string& path) { without_lock([&] { write_view_page(page, path); }); },
+      [](const std::string& page, const std::filesystem::path& path) {
+        without_lock([&] { write_view_page(page, path.string()); });
+      },
       nb::arg("page"), nb::arg("path"),
       "Writes a page: the file is complete or not there. Raises Error naming the file when it exists and was not "
       "written "

@@ -31,10 +31,6 @@ std::size_t common_count(const Models& a, const Models& b, const Poses& poses_a,
   return counted == nullptr ? 1 : counted->count;
 }
 
-bool all_quick(const Models& models) {
-  return std::ranges::all_of(models.each, [](const Model& model) { return is_quick(model); });
-}
-
 }  // namespace
 
 PairQuery query_of(const PoseLike& pose_a, const PoseLike& pose_b, Solid solid_a, Solid solid_b) {
@@ -60,7 +56,5 @@ Batch<PairQuery> PairsAsked::batch() const {
   if (a_.single && b_.single) return {a_.each.front(), b_.each.front(), count_, *this};
   return Batch<PairQuery>(pairs_);
 }
-
-bool PairsAsked::is_quick() const { return all_quick(a_) && all_quick(b_); }
 
 }  // namespace toccata::python

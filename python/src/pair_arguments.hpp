@@ -28,8 +28,6 @@ class PairsAsked {
 
   /// Refers to this.
   [[nodiscard]] Batch<PairQuery> batch() const;
-  /// Each question takes less time than to look for signals.
-  [[nodiscard]] bool is_quick() const;
   /// The models and the query of question i.
   [[nodiscard]] const Model& a(std::size_t i) const { return a_[i]; }
   [[nodiscard]] const Model& b(std::size_t i) const { return b_[i]; }
@@ -51,7 +49,7 @@ class PairsAsked {
 template <class Ask>
 auto asked_of_pairs(const PairsAsked& pairs, int threads, const Ask& ask) {
   const Batch<PairQuery> batch = pairs.batch();
-  const Interruptible call(threads, pairs.is_quick());
+  const Interruptible call(threads);
   return call.ask([&](const BatchOptions& options) { return ask(batch, options); });
 }
 

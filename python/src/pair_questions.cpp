@@ -122,7 +122,7 @@ overlap, and where it is not defined, as of two half-spaces.)");
           return CastQuery{ways[i], {.pose_a = of_a[i], .pose_b = of_b[i], .solid_a = solid_a, .solid_b = solid_b}};
         };
         const Batch<CastQuery> batch(a.model, b.model, ways.size(), query);
-        const Interruptible call(threads, is_quick(a.model) && is_quick(b.model));
+        const Interruptible call(threads);
         return structured(call.ask([&](const BatchOptions& options) { return cast_shape_each(batch, options); }));
       },
       nb::arg("a"), nb::arg("motions"), nb::arg("b"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(),

@@ -57,7 +57,7 @@ void bind_parts(nb::module_& module) {
       "decompose",
       [](const AnyShape& mesh, std::size_t max_parts, double concavity, int threads) {
         DecompositionOptions options{max_parts, concavity, threads};
-        const Interruptible call(threads, false);
+        const Interruptible call(threads);
         options.progress = call.options().progress;
         return call.ask([&, model = mesh.model](const BatchOptions&) { return decompose(model, options); });
       },

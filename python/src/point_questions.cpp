@@ -25,7 +25,7 @@ NearestQuery nearest_query(const PoseLike& pose, double max_distance) { return {
 template <class Ask>
 Answers asked_of_points(const ArrayLike& points, const AnyShape& shape, int threads, const Ask& ask) {
   const std::vector<Vec3> given = vectors_of(points, "points");
-  const Interruptible call(threads, false);
+  const Interruptible call(threads);
   return structured(call.ask([&, model = shape.model](const BatchOptions& options) {
     return ask(std::span<const Vec3>(given), model, options);
   }));
@@ -183,7 +183,7 @@ coordinates. Raises Error when a number is not finite or the motion is zero.)");
         const Pose placed = pose_of(pose, "pose");
         std::vector<RayQuery> queries(from.size());
         for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = {from[i], ways[i], placed, solid};
-        const Interruptible call(threads, is_quick(target.model));
+        const Interruptible call(threads);
         return structured(call.ask(
             [&, model = target.model](const BatchOptions& options) { return cast_ray_each(queries, model, options); }));
       },

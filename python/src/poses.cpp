@@ -113,7 +113,7 @@ void bind_manners_of_poses(BoundPose& bound) {
             const Pose* with = nullptr;
             return nb::try_cast(other, with, false) && with != nullptr && pose == *with;
           },
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__", [](const Pose& pose) { return nb::hash(pose_state(pose)); })
       .def("__repr__", &pose_text)
       .def(

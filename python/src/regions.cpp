@@ -110,7 +110,7 @@ included; of a mesh its triangles are asked about, so a box deep inside finds no
          const PoseLike& pose, int threads) {
         const std::vector<RegionQuery> queries = regions_of(boxes, centres, radii, pose_of(pose, "pose"));
         return structured(
-            numbered<OfQuery>(Interruptible(threads, false).ask([&, model = shape.model](const BatchOptions& options) {
+            numbered<OfQuery>(Interruptible(threads).ask([&, model = shape.model](const BatchOptions& options) {
               return faces_in_region_each(queries, model, options);
             })));
       },
@@ -131,7 +131,7 @@ void bind_points(nb::module_& module) {
       [](const ArrayLike& points, std::size_t k, const ObjectsLike& objects, double max_distance, int threads) {
         const std::vector<Vec3> given = vectors_of(points, "points");
         const std::vector<SceneInstance> instances = instances_of(objects, "objects");
-        return structured(numbered<OfQuery>(Interruptible(threads, false).ask([&](const BatchOptions& options) {
+        return structured(numbered<OfQuery>(Interruptible(threads).ask([&](const BatchOptions& options) {
           return nearest_points_each(given, k, instances, max_distance, options);
         })));
       },
@@ -146,9 +146,8 @@ void bind_points(nb::module_& module) {
       [](const ArrayLike& points, const ObjectsLike& objects, SignBy sign_by, int threads) {
         const std::vector<Vec3> given = vectors_of(points, "points");
         const std::vector<SceneInstance> instances = instances_of(objects, "objects");
-        const auto found = Interruptible(threads, false).ask([&](const BatchOptions& options) {
-          return signed_distance_each(given, instances, sign_by, options);
-        });
+        const auto found = Interruptible(threads).ask(
+            [&](const BatchOptions& options) { return signed_distance_each(given, instances, sign_by, options); });
         std::vector<SignedRow> rows;
         for (const SceneSignedDistance& one : found)
           rows.push_back({one.distance, one.object, one.inside_of.has_value(), one.inside_of.value_or(0)});

@@ -152,9 +152,8 @@ RobotScene scene_of(const Robot& robot, const ObjectsLike& obstacles, const nb::
 template <class Ask>
 auto of_many(const RobotScene& scene, const ArrayLike& configurations, int threads, const Ask& ask) {
   const Configurations given = configurations_of(configurations, scene.robot(), "configurations");
-  return Interruptible(threads, false).ask([&, copy = scene](const BatchOptions& options) {
-    return ask(copy, given.numbers(), options);
-  });
+  return Interruptible(threads).ask(
+      [&, copy = scene](const BatchOptions& options) { return ask(copy, given.numbers(), options); });
 }
 
 /// `ask(from, to, options)` of many ways.
@@ -165,7 +164,7 @@ auto of_many_ways(const RobotScene& scene, const ArrayLike& from, const ArrayLik
                        ends = configurations_of(to, scene.robot(), "ends");
   if (begins.given.rows() != ends.given.rows())
     throw Error(fmt::format("there are {} begins and {} ends; give as many", begins.given.rows(), ends.given.rows()));
-  return Interruptible(threads, false).ask([&, copy = scene](const BatchOptions& options) {
+  return Interruptible(threads).ask([&, copy = scene](const BatchOptions& options) {
     return ask(copy, begins.numbers(), ends.numbers(),
                EdgeOptions{.precision = precision, .threads = options.threads, .progress = options.progress});
   });

@@ -1,5 +1,6 @@
 #include "robots.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -159,7 +161,7 @@ among joints is told by Robot.)")
             return nb::isinstance<RobotJoint>(other) &&
                    arguments_of(joint).equal(arguments_of(nb::cast<const RobotJoint&>(other)));
           },
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__reduce__",
            [](const RobotJoint& joint) { return nb::make_tuple(nb::type<RobotJoint>(), arguments_of(joint)); })
       .attr("__hash__") = nb::none();
@@ -237,18 +239,20 @@ Floats matrices_told(const std::vector<Pose>& poses, const std::vector<std::size
   return numbers_told(std::move(numbers), shape);
 }
 
-Robot read_robot(const std::string& path, const std::vector<std::string>& packages) {
-  RobotFile file = without_lock([&] { return read_urdf(path, {packages}); });
+Robot read_robot(const std::filesystem::path& path, const std::vector<std::filesystem::path>& packages) {
+  std::vector<std::string> folders;
+  for (const std::filesystem::path& package : packages) folders.push_back(package.string());
+  RobotFile file = without_lock([&] { return read_urdf(path.string(), {std::move(folders)}); });
   nb::module_ warnings = nb::module_::import_("warnings");
   for (const std::string& warning : file.warnings) warnings.attr("warn")(warning);
   return without_lock([&] { return Robot(std::move(file.description)); });
 }
 
-void write_robot(const Robot& robot, const std::string& folder) {
+void write_robot(const Robot& robot, const std::filesystem::path& folder) {
   RobotDescription description{robot.name(), {}, {}, base_of(robot)};
   description.links.assign(robot.links().begin(), robot.links().end());
   description.joints.assign(robot.joints().begin(), robot.joints().end());
-  without_lock([&] { write_urdf(description, folder); });
+  without_lock([&] { write_urdf(description, folder.string()); });
 }
 
 void bind_making(nb::class_<Robot>& bound) {
@@ -262,8 +266,10 @@ void bind_making(nb::class_<Robot>& bound) {
                   "collections.abc.Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = "
                   "None) -> None"))
       .def_static(
-          "from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = std::vector<std::string>{},
-          nb::sig("def from_urdf(path: str, packages: collections.abc.Sequence[str] = ()) -> Robot"),
+          "from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = nb::tuple(),
+          nb::sig(
+              "def from_urdf(path: str | os.PathLike, packages: collections.abc.Sequence[str | os.PathLike] = ()) -> "
+              "Robot"),
           "Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, "
           "before the folders that the file lies in. Lengths are metres. Raises Error naming the file, line and "
           "element, "
@@ -295,6 +301,10 @@ void bind_making(nb::class_<Robot>& bound) {
           "robot. It "
           "may touch that link "
           "and those that are named. Positions stay as they are. Raises Error for links that there are not.")
+      .def("__copy__", [](const Robot& robot) { return robot; })
+      .def(
+          "__deepcopy__", [](const Robot& robot, const nb::dict&) { return robot; }, nb::arg("memo"),
+          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> Robot"))
       .def("__reduce__", [](const Robot& robot) { return nb::make_tuple(nb::type<Robot>(), arguments_of(robot)); });
 }
 
@@ -336,8 +346,8 @@ void bind_configurations(nb::class_<Robot>& bound) {
           "the same seed.")
       .def(
           "read_configurations",
-          [](const Robot& robot, const std::string& path) {
-            std::vector<double> numbers = read_configurations(path, robot);
+          [](const Robot& robot, const std::filesystem::path& path) {
+            std::vector<double> numbers = read_configurations(path.string(), robot);
             const std::size_t positions = robot.positions().size(),
                               count = numbers.size() / std::max<std::size_t>(positions, 1);
             return numbers_told(std::move(numbers), {count, positions});
@@ -368,7 +378,7 @@ void bind_configurations(nb::class_<Robot>& bound) {
           "link_poses_each",
           [](const Robot& robot, const ArrayLike& configurations, int threads) {
             const Configurations given = configurations_of(configurations, robot, "configurations");
-            const auto poses = Interruptible(threads, false).ask([&, copy = robot](const BatchOptions& options) {
+            const auto poses = Interruptible(threads).ask([&, copy = robot](const BatchOptions& options) {
               return copy.link_poses_each(given.numbers(), options.threads, options.progress);
             });
             return matrices_told(poses, {given.given.rows(), robot.links().size(), 4, 4});
@@ -391,7 +401,8 @@ void bind_configurations(nb::class_<Robot>& bound) {
 void bind_allowed(nb::class_<Robot>& bound) {
   bound
       .def(
-          "srdf_pairs", [](const Robot& robot, const std::string& path) { return told(read_srdf(path, robot)); },
+          "srdf_pairs",
+          [](const Robot& robot, const std::filesystem::path& path) { return told(read_srdf(path.string(), robot)); },
           nb::arg("path"),
           "The pairs of links that an SRDF file disables, for RobotScene(allowed=…): (a, b, \"given\"). Raises Error "
           "naming the file and the line.")
@@ -401,7 +412,7 @@ void bind_allowed(nb::class_<Robot>& bound) {
       .def(
           "allowed_pairs",
           [](const Robot& robot, std::size_t samples, std::uint64_t seed, int threads) {
-            return told(Interruptible(threads, false).ask([&, copy = robot](const BatchOptions& options) {
+            return told(Interruptible(threads).ask([&, copy = robot](const BatchOptions& options) {
               return allowed_pairs_by_samples(
                   copy, {.samples = samples, .seed = seed, .threads = options.threads, .progress = options.progress});
             }));

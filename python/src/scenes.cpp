@@ -105,8 +105,8 @@ std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what)
     const bool is_pair = PyTuple_Check(each.ptr()) && nb::len(each) == 2;
     const nb::object shape = is_pair ? nb::object(each[0]) : nb::borrow(each);
     if (!nb::isinstance<AnyShape>(shape))
-      throw Error(
-          fmt::format("{}: entry {} is no shape, no pair (shape, pose), and no SceneInstance", what, instances.size()));
+      throw Error(fmt::format("{}: entry {} is no shape, no pair (shape, pose), and no SceneInstance{}", what,
+                              instances.size(), how_made(shape)));
     const Pose pose =
         is_pair ? pose_of(nb::object(each[1]), fmt::format("{}, entry {}", what, instances.size())) : Pose{};
     instances.push_back({nb::cast<const AnyShape&>(shape).model, pose});
@@ -164,7 +164,7 @@ other (check_all). Raises Error for what is no pose.)")
             return nb::isinstance<SceneInstance>(other) &&
                    arguments_of(instance).equal(arguments_of(nb::cast<const SceneInstance&>(other)));
           },
-          nb::sig("def __eq__(self, other: object, /) -> bool"))
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__reduce__",
            [](const SceneInstance& instance) {
              return nb::make_tuple(nb::type<SceneInstance>(), arguments_of(instance));
@@ -335,7 +335,7 @@ void bind_check_all(nb::module_& module) {
         options.depth.precision = precision;
         options.volume = volume;
         options.tolerance = tolerance;
-        const Interruptible call(threads, false);
+        const Interruptible call(threads);
         options.threads = threads;
         options.progress = call.options().progress;
         return call.ask([&](const BatchOptions&) { return check_all(instances, options); });
@@ -363,7 +363,7 @@ void bind_self_contacts_each(nb::module_& module) {
       "self_contacts_each",
       [](const ObjectsLike& objects, int threads) {
         const std::vector<SceneInstance> instances = instances_of(objects, "objects");
-        const Interruptible call(threads, false);
+        const Interruptible call(threads);
         return structured(numbered<OfObject>(
             call.ask([&](const BatchOptions& options) { return self_contacts_each(instances, options); })));
       },

@@ -1,8 +1,10 @@
 #include "shapes.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/pair.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -232,8 +234,8 @@ nb::tuple mesh_arguments(const Mesh& mesh) {
   return nb::make_tuple(vertices_of(pointer), triangles_of(pointer), faces);
 }
 
-Mesh mesh_of_file(const std::string& path) {
-  return {{without_lock([&] { return load_model(path); })}};
+Mesh mesh_of_file(const std::filesystem::path& path) {
+  return {{without_lock([&] { return load_model(path.string()); })}};
 }
 
 /// A parameter is named as Python names are: tube_radius is the generator's tube-radius.
@@ -242,7 +244,11 @@ Mesh generated(const std::string& name, const nb::kwargs& parameters) {
   for (const auto& [key, value] : parameters) {
     auto parameter = nb::cast<std::string>(key);
     std::replace(parameter.begin(), parameter.end(), '_', '-');
-    given[parameter] = nb::cast<double>(value);
+    double number = 0;
+    if (!nb::try_cast(value, number))
+      throw Error(
+          fmt::format("{}: a number is needed, and not {}", nb::cast<std::string>(key), nb::repr(value).c_str()));
+    given[parameter] = number;
   }
   return {{without_lock([&] { return Model(generate_mesh(name, given)); })}};
 }
@@ -292,7 +298,8 @@ void bind_manners_of_meshes(BoundMesh& bound) {
           "Error "
           "for another number of vertices and where one is not finite; the mesh then stays as it was.")
       .def(
-          "write", [](const Mesh& mesh, const std::string& path) { write_mesh(mesh.model.mesh(), path); },
+          "write",
+          [](const Mesh& mesh, const std::filesystem::path& path) { write_mesh(mesh.model.mesh(), path.string()); },
           nb::arg("path"),
           "Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back. Raises Error naming "
           "the "
@@ -341,7 +348,8 @@ finite, an index out of range, or there is no triangle.)");
           "__init__",
           [](Mesh* place, const nb::object& mesh) {
             if (!nb::hasattr(mesh, "vertices") || !nb::hasattr(mesh, "faces"))
-              throw Error("a mesh is made of vertices and faces, or of an object that has both");
+              throw Error(
+                  "a mesh is made of vertices and faces, or of an object that has both; load_mesh reads a file");
             make_mesh(place, mesh.attr("vertices"), mesh.attr("faces"), nb::none());
           },
           nb::arg("mesh"), nb::sig("def __init__(self, mesh: toccata._typing.HasVerticesAndFaces) -> None"));
@@ -580,13 +588,18 @@ void bind_compound(nb::module_& module) {
 
 }  // namespace
 
+std::string_view how_made(nb::handle given) {
+  const bool is_mesh = nb::hasattr(given, "vertices") && nb::hasattr(given, "faces");
+  return is_mesh ? "; toccata.Mesh(it) makes one of a mesh of trimesh or the like" : "";
+}
+
 Models models_of(nb::handle given, std::string_view what) {
   if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
-  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them", what));
+  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them{}", what, how_made(given)));
   Models models;
   for (const nb::handle shape : given) {
     if (!nb::isinstance<AnyShape>(shape))
-      throw Error(fmt::format("{}: entry {} is no shape", what, models.each.size()));
+      throw Error(fmt::format("{}: entry {} is no shape{}", what, models.each.size(), how_made(shape)));
     models.each.push_back(nb::cast<const AnyShape&>(shape).model);
   }
   return models;
@@ -629,7 +642,7 @@ void bind_shapes(nb::module_& module) {
             return nb::isinstance<AnyShape>(other) &&
                    equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
           },
-          nb::sig("def __eq__(self, other: object, /) -> bool"));
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   bind_described<Point>(
       module, "Point",
       "One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.");

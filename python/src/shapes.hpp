@@ -26,6 +26,8 @@ struct Models {
   [[nodiscard]] const Model& operator[](std::size_t i) const { return single ? each.front() : each[i]; }
 };
 [[nodiscard]] Models models_of(nb::handle given, std::string_view what);
+/// For the message about what is no shape: how it becomes one, or nothing.
+[[nodiscard]] std::string_view how_made(nb::handle given);
 
 /// The class of one kind of shapes in Python.
 template <class Kind>

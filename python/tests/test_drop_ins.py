@@ -11,7 +11,10 @@ import subprocess
 import sys
 import tarfile
 
+import numpy
 import pytest
+
+import toccata
 
 from conftest import SLICE
 
@@ -80,3 +83,29 @@ def test_python_fcl_s_tests(tmp_path):
     archive = sources("python-fcl", "0.0.12")
     out = run_tests_of(archive, "test/test_fcl.py", tmp_path, "fcl", {})
     assert "7 passed" in out, out
+
+
+def test_what_is_read_of_a_shape_of_fcl_is_a_copy():
+    """As there: a number of it that is changed changes neither the shape nor what is told of it."""
+    from toccata import fcl
+
+    box, far = fcl.Box(1, 1, 1), fcl.CollisionObject(fcl.Sphere(1), fcl.Transform(numpy.array([1.9, 0, 0])))
+    assert fcl.collide(fcl.CollisionObject(box), far) == 0
+    box.side[0] = 9
+    assert box.side.tolist() == [1, 1, 1] and fcl.collide(fcl.CollisionObject(box), far) == 0
+    box.side *= 2
+    assert box.side.tolist() == [2, 2, 2] and fcl.collide(fcl.CollisionObject(box), far) == 1
+    below = fcl.Halfspace(numpy.array([0, 0, 1.0]), 0)
+    below.n[2] = -1
+    assert below.n.tolist() == [0, 0, 1]
+
+
+def test_what_is_no_mesh_is_told():
+    from toccata import trimesh as collision
+
+    class Scene:
+        geometry: dict = {}
+
+    for given, words in ((None, "NoneType"), ("ball.stl", "str"), (Scene(), "scene_to_collision")):
+        with pytest.raises(toccata.Error, match=words):
+            collision.CollisionManager().add_object("a", given)

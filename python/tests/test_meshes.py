@@ -79,3 +79,39 @@ def test_scenes_are_read_with_their_places(tmp_path):
         toccata.load_scene(str(tmp_path / "nothing.json"))
     with pytest.raises(toccata.Error):
         toccata.load_scene(str(tmp_path / "ball.obj"), "ells")
+
+
+@pytest.mark.parametrize("radius", ["x", None, [1], 1j])
+def test_parameters_of_generated_meshes_are_numbers(radius):
+    with pytest.raises(toccata.Error, match="radius: a number is needed"):
+        toccata.generate_mesh("torus", radius=radius)
+
+
+def test_files_are_named_by_text_or_path(tmp_path):
+    ball, file = toccata.generate_mesh("icosphere", radius=1, subdivisions=1), tmp_path / "a ball.obj"
+    ball.write(file)
+    assert toccata.load_mesh(file) == toccata.load_mesh(str(file)) == ball
+    assert toccata.load_scene(file)[0].shape == ball
+    robot, folder = toccata.Robot.generated(0), tmp_path / "arm"
+    robot.write_urdf(folder)
+    read = toccata.Robot.from_urdf(folder / "robot.urdf", packages=[tmp_path, str(tmp_path)])
+    (tmp_path / "q.csv").write_text("0 0 0 0 0 0 0\n")
+    assert read.read_configurations(tmp_path / "q.csv").shape == (1, 7)
+    (tmp_path / "arm.srdf").write_text('<robot name="arm"><disable_collisions link1="base" link2="link 2"/></robot>')
+    assert read.srdf_pairs(tmp_path / "arm.srdf") == [("base", "link 2", "given")]
+    for nothing in (tmp_path / "nothing.obj", b"no\xffthing.obj", "no\udcffthing.obj"):  # which need not be UTF-8
+        with pytest.raises(toccata.Error, match="thing.obj: there is no such file"):
+            toccata.load_mesh(nothing)
+
+
+def test_what_is_no_shape_yet_is_told_how_to_become_one():
+    class Others:
+        vertices, faces = toccata.generate_mesh("box").vertices, toccata.generate_mesh("box").faces
+
+    ball = toccata.Sphere(1)
+    for ask in (lambda: toccata.overlap_each([Others()], ball), lambda: toccata.overlap_each(Others(), ball), lambda: toccata.SceneIndex([ball, Others()]),
+                lambda: toccata.check_all([(Others(), (1, 0, 0))])):
+        with pytest.raises(toccata.Error, match="toccata.Mesh"):
+            ask()
+    with pytest.raises(toccata.Error, match="load_mesh"):
+        toccata.Mesh("ball.stl")

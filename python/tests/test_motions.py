@@ -1,5 +1,6 @@
 """What moves and turns: sweeps, features that move, the volume that is passed."""
 
+import copy
 import gc
 import weakref
 
@@ -20,6 +21,7 @@ def test_motions_begin_and_end_where_they_are_told():
         toccata.RigidMotion.screw(start, end),
         toccata.RigidMotion.through([0, 0.3, 1], [start, toccata.Pose(matrices(1, 2, 2)[0]), end]),
     ):
+        assert copy.copy(motion).at(0.4) == motion.at(0.4)
         assert motion.at(0) == start and numpy.allclose(motion.at(1).matrix, end.matrix, atol=1e-12)
         assert numpy.allclose(numpy.linalg.det(motion.at(0.4).linear), 1)
     straight = toccata.RigidMotion.straight(start, (1, 2, 3))

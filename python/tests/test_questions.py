@@ -65,6 +65,18 @@ def test_poses_of_both_and_of_many_sorts():
     assert numpy.array_equal(expected, told)
     turns = spatial.Rotation.from_matrix(poses[:, :3, :3])
     assert len(toccata.distance_each(a, b, poses_b=turns)) == 20
+    # Of scipy, of pairs, of all together, and of rotations and translations that are arrays of their own.
+    rotations, places = poses[:, :3, :3].copy(), poses[:, :3, 3].copy()
+    pairs = list(zip(rotations, places))
+    for given in (pairs, pairs[:2], pairs[:3], list(zip(turns, places)), (rotations, places), [rotations, places], [*pairs[:2], toccata.Pose(poses[2])],
+                  [poses[0], toccata.Pose(poses[1])], [poses[0], pairs[1], poses[2]]):
+        count = len(given[0]) if len(given) == 2 and given[0] is rotations else len(given)
+        assert numpy.allclose(toccata.distance_each(a, b, poses_b=given)["upper"], toccata.distance_each(a, b, poses_b=poses[:count])["upper"], atol=1e-12)
+    for given in (list(turns), list(turns[:2]), [turns[0], toccata.Pose(), None]):
+        assert len(toccata.distance_each(a, b, poses_b=given)) == len(given)
+    assert numpy.allclose(toccata.distance_each(a, b, poses_b=(turns, (3, 0, 0)))["upper"], toccata.distance_each(a, b, poses_b=[(r, (3, 0, 0)) for r in rotations])["upper"], atol=1e-12)
+    with pytest.raises(toccata.Error, match="\\(20, 3, 3\\) and \\(3, 3\\)"):
+        toccata.distance_each(a, b, poses_b=(rotations, places[:3]))
     assert toccata.overlap_each(a, b, poses_b=[[0, 0, 0], [9, 0, 0], [1.5, 0, 0]]).tolist() == [True, False, True]
     assert toccata.overlap_each(a, b).tolist() == [True]
     assert toccata.overlap_each(a, b, poses_b=numpy.zeros((0, 4, 4))).shape == (0,)

@@ -239,6 +239,19 @@ def test_edges_that_are_free_are_free_between(scene, robot):
             assert not between[numpy.linspace(0, 1, 50) < edge["lower"]].any()
 
 
+def test_what_holds_something_is_copied(robot):
+    holding = robot.with_attached("cup", toccata.Sphere(0.05), "link 7", (0, 0, 0.15))
+    for again in (copy.copy(holding), copy.deepcopy(holding)):
+        assert again.links == holding.links and again.links[-1] == "cup"
+
+
+def test_no_samples_allow_no_pair(robot):
+    with pytest.raises(toccata.Error, match="no samples"):
+        robot.allowed_pairs(0)
+    still = toccata.Robot({"a": [toccata.Sphere(1)], "b": [(toccata.Sphere(1), (3, 0, 0))]}, [toccata.RobotJoint("j", toccata.RobotJointKind.fixed, "a", "b")])
+    assert still.allowed_pairs(0) == [("a", "b", "adjacent")]  # there is nothing to choose
+
+
 def test_pairs_are_allowed_for_a_reason(robot, tmp_path):
     pairs = robot.allowed_pairs(200)
     assert ("base", "link 1", "adjacent") in pairs and {reason for _, _, reason in pairs} <= {"adjacent", "always", "at rest", "never"}

@@ -17,6 +17,27 @@ def test_pickle_copy_and_equality(shape):
         assert again is not shape
     assert shape != toccata.Sphere(123)
     assert shape != "a text"
+    assert not shape == None and None != shape and [None, shape].index(shape) == 1  # noqa: E711
+
+
+def test_nothing_equals_none():
+    """None is no error: lists are searched, and data classes compared, that have it too."""
+    ball, box = toccata.Sphere(1), toccata.Box((1, 1, 1))
+    values = (toccata.Pose(), toccata.distance(ball, box), toccata.manifold(ball, box, pose_b=(1.5, 0, 0)), toccata.SceneInstance(ball),
+              toccata.RobotJoint("j", toccata.RobotJointKind.fixed, "a", "b"))
+    for value in values:
+        assert value != None and not None == value and value in [None, value]  # noqa: E711
+
+
+def test_manifolds_are_values():
+    box, mesh = toccata.Box((1, 1, 1)), toccata.generate_mesh("box")
+    (of_meshes, *_) = toccata.manifolds(mesh, mesh, pose_b=(0.25, 0.25, 0.9))
+    for manifold in (toccata.manifold(box, box, pose_b=(0.5, 0, 1.75)), of_meshes):
+        for again in (pickle.loads(pickle.dumps(manifold)), copy.copy(manifold), copy.deepcopy(manifold)):
+            assert again == manifold and type(again) is type(manifold) and len(again) == len(manifold) > 0
+            assert (again.positions == manifold.positions).all() and (again.depths == manifold.depths).all()
+        assert manifold != toccata.manifold(box, box, pose_b=(0.5, 0, 1.5))
+    assert (pickle.loads(pickle.dumps(of_meshes)).elements_a == of_meshes.elements_a).all()
 
 
 def test_kinds_are_all_unlike():

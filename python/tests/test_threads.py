@@ -1,7 +1,9 @@
 """Questions are asked without the interpreter's lock, and Ctrl-C ends a batch."""
 
+import copy
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -163,7 +165,9 @@ except KeyboardInterrupt:
     ("", "robot.allowed_pairs(500_000, threads=1)"),
     ("mesh, other = toccata.DeformingMesh(ball, -ball.vertices), toccata.DeformingMesh(ball)", "mesh.free_steps(other)"),
     ("ways = [toccata.RigidMotion(None, translation=(9, 0, 0), turns=2)] * 2_000", "toccata.sweep_each(knot, ways, knot, (4.5, 0, 0), threads=1)"),
-], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each"])
+    ("poses = numpy.tile(numpy.eye(4), (2_000_000, 1, 1)); poses[:, 0, 3] = numpy.linspace(2.5, 3, 2_000_000)",
+     "toccata.relation_each(toccata.Ellipsoid((1, 2, 3)), toccata.Cylinder(1, 1), poses_b=poses, threads=1)"),
+], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each", "plain_shapes"])
 def test_ctrl_c_ends_what_takes_long(given, asked):
     program = INTERRUPTED_WITHIN.replace("GIVEN", given).replace("ASKED", asked)
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
@@ -184,6 +188,14 @@ def test_processes_that_are_forked_or_spawned():
         assert results.get(timeout=60) == expected
         process.join(60)
         assert process.exitcode == 0
+
+
+def test_functions_are_handed_to_processes():
+    ball, box = toccata.Sphere(1), toccata.Box((1, 1, 1))
+    for function in (toccata.overlap, toccata.distance_each, toccata.check_all):
+        assert pickle.loads(pickle.dumps(function)) is function and copy.deepcopy(function) is function
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.starmap(toccata.overlap, [(ball, box, None, (x, 0, 0)) for x in (0, 9)]) == [True, False]
 
 
 # What it needs of Python beside numpy, all of it small.

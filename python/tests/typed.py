@@ -1,5 +1,7 @@
 """Checked by mypy --strict and never run: what the stubs say of the usual calls."""
 
+import pathlib
+
 import numpy
 from numpy.typing import NDArray
 
@@ -18,11 +20,14 @@ exact: bool = found.status is toccata.Status.exact
 yes: bool = toccata.overlap(mesh, mesh, (1, 2, 3), (numpy.eye(3), [1, 2, 3]))
 each: NDArray[numpy.bool_] = toccata.overlap_each(mesh, mesh, poses_b=numpy.zeros((5, 4, 4)), threads=2)
 answers: NDArray[numpy.void] = toccata.distance_each(mesh, mesh, [pose, pose])
+answers = toccata.distance_each(mesh, mesh, [(numpy.eye(3), (1, 2, 3)), (numpy.eye(3), (1, 2, 4))], (numpy.zeros((2, 3, 3)), numpy.zeros((2, 3))))
 uppers = answers["upper"]
 maybe: Distance | None = toccata.distance_within(mesh, mesh, 0.5)
 kind: toccata.RelationKind = toccata.relation(mesh, mesh).kind
 try:
     toccata.load_mesh("mesh.obj")
+    toccata.load_mesh(pathlib.Path("mesh.obj")).write(pathlib.Path("mesh.ply"))
+    toccata.Robot.from_urdf(pathlib.Path("arm.urdf"), packages=[pathlib.Path("robots"), "others"])
 except toccata.Error as error:
     words: str = str(error)
 version: str = toccata.__version__

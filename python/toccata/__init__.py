@@ -7,10 +7,15 @@ ValueError that says what to do. Many posed shapes are a SceneIndex, or a World 
 `toccata.fcl` stand in for trimesh's collision manager and for python-fcl. See docs/guide/python.md.
 """
 
+import copyreg
+
 from . import _core
 from ._core import *  # noqa: F403
 from ._core import __version__
 from ._show import Page, show
+
+# So that a function is handed to another process by its name, as those of Python are.
+copyreg.pickle(type(_core.overlap), lambda function: function.__name__)
 
 Page.__module__ = show.__module__ = "toccata"
 __all__ = sorted(name for name in vars(_core) if not name.startswith("_")) + ["Page", "show", "__version__"]

@@ -545,7 +545,7 @@ class Mesh(Shape):
         Gives the mesh other vertices, as many as before, shape (N, 3), in its own frame and unit: the boxes of its tree are put around them, and no question sees old ones. Copies, and scenes and worlds that hold the mesh, keep what they have. Raises Error for another number of vertices and where one is not finite; the mesh then stays as it was.
         """
 
-    def write(self, path: str) -> None:
+    def write(self, path: str | os.PathLike[str]) -> None:
         """
         Writes OBJ, OFF, STL or PLY by the extension, so that the same numbers are read back. Raises Error naming the file that cannot be written.
         """
@@ -556,7 +556,7 @@ class Mesh(Shape):
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
-def load_mesh(path: str) -> Mesh:
+def load_mesh(path: str | os.PathLike[str]) -> Mesh:
     """
     Reads a mesh from an OBJ, STL, PLY or OFF file: every number as its nearest double, in the unit of the file, nothing repaired. Raises Error naming file and line.
     """
@@ -1227,6 +1227,14 @@ class Manifold:
         """
 
     def __repr__(self) -> str: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Manifold:
     """
@@ -1905,6 +1913,12 @@ class ModelManifold(Manifold):
     def elements_b(self) -> toccata._typing.Indices:
         """Of B."""
 
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
 def manifolds(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> list[ModelManifold]:
     """
     Where any two shapes touch or overlap: of meshes and compounds one manifold for each normal of their contacts.
@@ -2070,7 +2084,7 @@ def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike,
     The solid that a camera sees in perspective: field_of_view from the bottom of the picture to its top, in degrees; aspect, its width over its height; nearest and farthest, in the unit of the coordinates. eye, direction and up have the shape (3,), in the world. What it overlaps is in view. Raises Error that names a number out of range.
     """
 
-def load_scene(path: str, unit: str | None = None, *, scale: float = 1.0, split: bool = False) -> list[SceneInstance]:
+def load_scene(path: str | os.PathLike[str], unit: str | None = None, *, scale: float = 1.0, split: bool = False) -> list[SceneInstance]:
     """
     The objects of any file that is read, at their places: a mesh file as one, glTF and GLB as the meshes of their node tree, 3MF, and scene files (.json). unit: what a length of 1 in the file is, "mm", "in", or metres, as "0.001"; lengths are metres then. split: the objects of an OBJ file and the solids of a text STL file are each one. Raises Error naming the file and the line.
     """
@@ -2086,6 +2100,8 @@ class RigidMotion:
     """
 
     def __init__(self, start: toccata._typing.PoseLike | None = None, translation: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), turns: float = 0.0, axis: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
+
+    def __copy__(self) -> RigidMotion: ...
 
     @staticmethod
     def straight(start: toccata._typing.PoseLike | None, translation: numpy.typing.ArrayLike) -> RigidMotion:
@@ -3085,7 +3101,7 @@ class Robot:
     def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = None) -> None: ...
 
     @staticmethod
-    def from_urdf(path: str, packages: Sequence[str] = ()) -> Robot:
+    def from_urdf(path: str | os.PathLike[str], packages: Sequence[str | os.PathLike[str]] = ()) -> Robot:
         """
         Of a URDF file, with its meshes. package://name/path is looked for in `packages`, which are folders, before the folders that the file lies in. Lengths are metres. Raises Error naming the file, line and element, and for xacro, which is to be expanded first; warns of sizes that look like another unit, of glTF, whose y axis points up, and of links that have a picture alone.
         """
@@ -3096,7 +3112,7 @@ class Robot:
         An arm of seven joints with a mesh of 20 · 4^subdivisions triangles for each link, 1.3 long: to try things with.
         """
 
-    def write_urdf(self, folder: str) -> None:
+    def write_urdf(self, folder: str | os.PathLike[str]) -> None:
         """
         Writes folder/robot.urdf, and every mesh beside it as an OBJ file. Raises Error naming the file that holds something else already, and the link whose shape URDF has not.
         """
@@ -3105,6 +3121,10 @@ class Robot:
         """
         A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame, in the unit of the robot. It may touch that link and those that are named. Positions stay as they are. Raises Error for links that there are not.
         """
+
+    def __copy__(self) -> Robot: ...
+
+    def __deepcopy__(self, memo: dict[int, object]) -> Robot: ...
 
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
@@ -3145,7 +3165,7 @@ class Robot:
         Random configurations within the limits, shape (count, P), in radians and the unit of the lengths; the same for the same seed.
         """
 
-    def read_configurations(self, path: str) -> toccata._typing.Floats:
+    def read_configurations(self, path: str | os.PathLike[str]) -> toccata._typing.Floats:
         """
         Of a file with a line of numbers for each, by commas or blanks, and names before them or the order of the positions: shape (N, P). Raises Error naming the file and the line.
         """
@@ -3170,7 +3190,7 @@ class Robot:
         The shapes of the links where a configuration, shape (P,), puts them in the world, with names: for show, check_all and SceneIndex. Raises Error like link_poses.
         """
 
-    def srdf_pairs(self, path: str) -> list[tuple[str, str, str]]:
+    def srdf_pairs(self, path: str | os.PathLike[str]) -> list[tuple[str, str, str]]:
         """
         The pairs of links that an SRDF file disables, for RobotScene(allowed=…): (a, b, "given"). Raises Error naming the file and the line.
         """
@@ -3467,7 +3487,7 @@ def view_page(objects: toccata._typing.ObjectsLike, *, title: str = 'Toccata', u
     another axis.
     """
 
-def write_view_page(page: str, path: str) -> None:
+def write_view_page(page: str, path: str | os.PathLike[str]) -> None:
     """
     Writes a page: the file is complete or not there. Raises Error naming the file when it exists and was not written by Toccata, or cannot be written.
     """

@@ -34,7 +34,8 @@ class HasVerticesAndFaces(Protocol):
 
 
 PoseLike: TypeAlias = Union["Pose", ArrayLike, HasMatrix, tuple[Union[ArrayLike, HasMatrix], ArrayLike]]
-PosesLike: TypeAlias = Union[PoseLike, Sequence["Pose"]]
+# One for all, or a list of them; of many rotations and translations also the two arrays.
+PosesLike: TypeAlias = Union[PoseLike, Sequence[Union["Pose", ArrayLike, HasMatrix, tuple[Union[ArrayLike, HasMatrix], ArrayLike], None]]]
 ShapesLike: TypeAlias = Union["Shape", Sequence["Shape"]]
 ObjectsLike: TypeAlias = Iterable[Union["SceneInstance", "Shape", tuple["Shape", Union[PoseLike, None]]]]
 MotionLike: TypeAlias = Union["RigidMotion", PoseLike]

@@ -94,6 +94,19 @@ class Transform:
         return toccata.Pose(self._rotation, self._translation)
 
 
+class _Numbers:
+    """An array of a shape: reading it copies it, as there, so that nobody changes a number of it unseen."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = f"_{name}"
+
+    def __get__(self, shape: CollisionGeometry, owner: type | None = None) -> Any:
+        return getattr(shape, self._name).copy()
+
+    def __set__(self, shape: CollisionGeometry, given: Any) -> None:
+        setattr(shape, self._name, numpy.array(given, dtype=float))
+
+
 class CollisionGeometry:
     """What shapes have in common. A shape may be changed; objects that have it see that."""
 
@@ -130,6 +143,7 @@ class CollisionGeometry:
 
 class TriangleP(CollisionGeometry):
     _node_type = NODE_TYPE.GEOM_TRIANGLE
+    a, b, c = _Numbers(), _Numbers(), _Numbers()
 
     def __init__(self, a: Any, b: Any, c: Any) -> None:
         super().__init__()
@@ -143,13 +157,14 @@ class Box(CollisionGeometry):
     """Of the sides x, y, z, around the origin."""
 
     _node_type = NODE_TYPE.GEOM_BOX
+    side = _Numbers()
 
     def __init__(self, x: float, y: float, z: float) -> None:
         super().__init__()
-        self.side: Any = numpy.array([x, y, z], dtype=float)
+        self.side = [x, y, z]
 
     def _make(self) -> toccata.Shape:
-        return toccata.Box(numpy.asarray(self.side, dtype=float) / 2)
+        return toccata.Box(self.side / 2)
 
 
 class Sphere(CollisionGeometry):
@@ -165,10 +180,11 @@ class Sphere(CollisionGeometry):
 
 class Ellipsoid(CollisionGeometry):
     _node_type = NODE_TYPE.GEOM_ELLIPSOID
+    radii = _Numbers()
 
     def __init__(self, a: float, b: float, c: float) -> None:
         super().__init__()
-        self.radii: Any = numpy.array([a, b, c], dtype=float)
+        self.radii = [a, b, c]
 
     def _make(self) -> toccata.Shape:
         return toccata.Ellipsoid(self.radii)
@@ -225,14 +241,15 @@ class Halfspace(CollisionGeometry):
     """All points x with n · x <= d."""
 
     _node_type = NODE_TYPE.GEOM_HALFSPACE
+    n = _Numbers()
 
     def __init__(self, n: Any, d: float) -> None:
         super().__init__()
-        self.n: Any = _array(n, (3,), "a normal")
+        self.n = _array(n, (3,), "a normal")
         self.d = d
 
     def _make(self) -> toccata.Shape:
-        normal = numpy.asarray(self.n, dtype=float)
+        normal = self.n
         return toccata.HalfSpace(normal * (self.d / normal.dot(normal)), normal)
 
 

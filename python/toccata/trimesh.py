@@ -250,6 +250,9 @@ def shape_of(mesh: Any) -> toccata.Shape:
     """The shape of a mesh: the same one for meshes that are equal, while it is used."""
     if isinstance(mesh, toccata.Shape):
         return mesh
+    if not hasattr(mesh, "vertices") or not hasattr(mesh, "faces"):
+        scene = "; scene_to_collision takes a Scene" if hasattr(mesh, "geometry") else ""
+        raise toccata.Error(f"a mesh is needed, with vertices and faces, and what is given is a {type(mesh).__name__}{scene}")
     vertices, faces = mesh.vertices, mesh.faces
     try:
         key = (hash(vertices), hash(faces))  # trimesh's arrays have a hash of what they hold

@@ -60,7 +60,7 @@ void require_undeformed(const Pose& pose, std::string_view who) {
   if (!deforms(pose.linear)) return;
   throw Error(fmt::format(
       "{}: the pose ({}) deforms it: the largest row sum of |RᵀR − I| is {:.3g}, and at most 2⁻¹⁰ = {} is allowed; "
-      "make a rotation of what drifted (nearest_rotation), put a scale into the numbers of the shape, or use an "
+      "make a rotation of what drifted (Pose::nearest_rigid), put a scale into the numbers of the shape, or use an "
       "ellipsoid",
       who, fmt::join(pose.numbers(), ", "), deformation(pose.linear), deformation_limit));
 }

@@ -9,6 +9,7 @@
 
 #include "robots/robot_tree.hpp"
 #include "robots/scene_made.hpp"
+#include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/robots/robot_scene.hpp"
 
@@ -103,6 +104,8 @@ std::vector<AllowedPair> allowed_pairs_by_samples(const Robot& robot, const Samp
   MeetingCounts samples(links.size()), rest(links.size());
   rest.add(scene.contacts(robot.rest()));
   const std::size_t sample_count = robot.positions().empty() ? 0 : options.samples;
+  if (sample_count == 0 && !robot.positions().empty())
+    throw Error("no samples: no pair would be seen to meet, and each be allowed; take some thousands");
   if (sample_count > 0) {
     const std::vector<double> configurations = sampled_configurations(robot, sample_count, options.seed);
     for (const auto& contacts : scene.contacts_each(configurations, ContactsTold::all,

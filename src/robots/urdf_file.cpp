@@ -60,9 +60,13 @@ class UrdfdomComplaints : public console_bridge::OutputHandler {
   UrdfdomComplaints& operator=(const UrdfdomComplaints&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) all_.push_back(text);
   }
-  [[nodiscard]] const std::string& first() const { return first_; }
+  /// In the order in which they came: what is wrong comes first, and where that is may come later.
+  [[nodiscard]] const std::vector<std::string>& all() const { return all_; }
+  [[nodiscard]] std::string first() const {
+    return all_.empty() ? "urdfdom does not read it, and does not say why" : all_.front();
+  }
 
  private:
   static std::mutex& one_at_a_time() {
@@ -71,7 +75,7 @@ class UrdfdomComplaints : public console_bridge::OutputHandler {
   }
 
   std::lock_guard<std::mutex> lock_;
-  std::string first_;
+  std::vector<std::string> all_;
 };
 
 /// What iconv calls an encoding of more bytes a character: by the mark of their order, or by the "<" that XML begins
@@ -146,6 +150,12 @@ class RobotXml {
 
   /// An error that names a link or joint, with its line.
   [[nodiscard]] Error error_about(std::string_view what) const {
+    if (const TiXmlElement* element = named_in(what)) return error_at(*element, what);
+    return Error(fmt::format("{}: {}", path_, what));
+  }
+
+  /// The link or joint that a text names; null where it names none.
+  [[nodiscard]] const TiXmlElement* named_in(std::string_view what) const {
     for (const char* kind : {"joint", "link"})
       for (const TiXmlElement* element : below(robot(), kind)) {
         const char* name = element->Attribute("name");
@@ -154,9 +164,9 @@ class RobotXml {
           if (what.find(fmt::format(fmt::runtime(form), kind, name)) != std::string_view::npos ||
               what.find(fmt::format(fmt::runtime(form), kind == std::string_view("joint") ? "Joint" : "Link", name)) !=
                   std::string_view::npos)
-            return error_at(*element, what);
+            return element;
       }
-    return Error(fmt::format("{}: {}", path_, what));
+    return nullptr;
   }
 
  private:
@@ -272,17 +282,23 @@ void require_collisions(const RobotXml& xml, const urdf::ModelInterface& model, 
     const std::string name = xml.attribute(*element, "name");
     const std::size_t written = RobotXml::below(*element, "collision").size();
     if (written != model.getLink(name)->collision_array.size())
-      throw xml.error_at(*element, fmt::format("not each <collision> of link '{}' is understood: {}", name,
-                                               complaint.empty() ? "urdfdom does not say why" : complaint));
+      throw xml.error_at(*element, fmt::format("not each <collision> of link '{}' is understood: {}", name, complaint));
   }
+}
+
+/// What urdfdom complained about first, and with the line of what it names then or later.
+Error error_of(const RobotXml& xml, const UrdfdomComplaints& complaints) {
+  const std::string first = complaints.first();
+  for (const std::string& complaint : complaints.all())
+    if (const TiXmlElement* element = xml.named_in(complaint))
+      return xml.error_at(*element, complaint == first ? first : fmt::format("{}: {}", complaint, first));
+  return xml.error_about(first);
 }
 
 urdf::ModelInterfaceSharedPtr model_of(const RobotXml& xml) {
   UrdfdomComplaints complaints;
   urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(xml.text());
-  if (!model)
-    throw xml.error_about(complaints.first().empty() ? "urdfdom does not read it, and does not say why"
-                                                     : complaints.first());
+  if (!model) throw error_of(xml, complaints);
   require_collisions(xml, *model, complaints.first());
   return model;
 }

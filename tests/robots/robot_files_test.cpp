@@ -104,6 +104,11 @@ TEST_F(UrdfFile, WhatIsBrokenIsNamedWithItsLine) {
   EXPECT_TRUE(tells(fault("<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/>", ""), "robot.urdf:14: "));
   EXPECT_TRUE(
       tells(fault("lower=\"-1\" upper=\"2\"", "lower=\"3\" upper=\"2\""), "robot.urdf:14: joint 'turn': its limits"));
+  // urdfdom tells what is wrong before it tells of which joint.
+  for (const char* limits : {"lower=\"nan\" upper=\"2\"", "lower=\"-inf\" upper=\"inf\""}) {
+    const std::string told = fault("lower=\"-1\" upper=\"2\"", limits);
+    EXPECT_TRUE(tells(told, "robot.urdf:14: ") && tells(told, "not a valid float")) << told;
+  }
   EXPECT_TRUE(tells(fault("<mimic joint=\"turn\"", "<mimic joint=\"trn\""), "joint 'slide': it mimics joint 'trn'"));
   EXPECT_TRUE(tells(fault("radius=\"0.3\"", "radius=\"-0.3\""), "robot.urdf:3: link 'base'"));
   EXPECT_TRUE(tells(fault("hand.off", "hnd.off"), "robot.urdf:10: link 'hand': package://parts/hnd.off is in none of"));
