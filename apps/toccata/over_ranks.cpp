@@ -25,9 +25,8 @@ std::string program_over_ranks(const std::string& subcommand) {
   if (const auto program = installed_program(name)) return *program;
   throw Error(fmt::format(
       "{0} --distributed runs {1}, which is not there. It takes an MPI (Debian: libopenmpi-dev, openmpi-bin), and in "
-      "the "
-      "folder of Toccata's sources: `cmake --preset release -DTOCCATA_WITH_MPI=ON` and `cmake --build build/release "
-      "--target toccata_{0}_ranks`",
+      "the folder of Toccata's sources: `cmake --preset release -DTOCCATA_WITH_MPI=ON` and "
+      "`cmake --build build/release --target toccata_{0}_ranks`",
       subcommand, name));
 }
 

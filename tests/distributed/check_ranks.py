@@ -141,7 +141,12 @@ def check_mixed(folder):
 def check_refusals(folder, files):
     broken = folder / "broken.obj"
     broken.write_text("v 0 0 zero\n")
-    for words, told in (([*files, str(broken)], "broken.obj"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
+    of_units = []
+    for unit in ("in", "mm"):
+        of_units.append(str(folder / f"{unit}.json"))
+        scene = {"format": "toccata-scene", "version": 1, "unit": unit, "objects": [{"name": unit, "generate": "box"}]}
+        pathlib.Path(of_units[-1]).write_text(json.dumps(scene))
+    for words, told in (([*files, str(broken)], "broken.obj"), (of_units, "over ranks files of one unit are compared"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
                         ([*files, "--clearance", "2mm"], "--clearance"), (files[:1], "a check needs two"), ([*files, "--unit", "inch"], "inch"),
                         ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html")):
         many = over_ranks(*words)

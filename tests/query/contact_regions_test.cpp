@@ -88,6 +88,26 @@ TEST(ContactRegions, OfManySidesOnOneTriangleHaveTheAreaOfThePolygon) {
   }
 }
 
+// The corner of a box lies on the bottom of a prism, but for what rounding does to the turned bottom: on either side of
+// it by some 10⁻¹⁷, while the triangles at the corner lie on one side or the other as a whole.
+TEST(ContactRegions, OfACornerThatRoundingPutsBesideAFaceHaveTheAreaOfOneNearby) {
+  const Model prism(prism_mesh(0.8, 1.2, 5)), box(box_mesh({1, 0.5, 0.5}));
+  int compared = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Pose pose_a = Pose::rotation({1, 0.3 * k, 2}, 7.0 * k),
+               pose_b = Pose::rotation({0.2 * k, 1, 1}, 11.0 * k) * Pose::translation(1, 0.5, 0.5);
+    const auto regions = contact_regions(prism, box, {.pose_a = pose_a, .pose_b = pose_b});
+    const auto nearby =
+        contact_regions(prism, box, {.pose_a = pose_a, .pose_b = Pose::translation(1e-9, -1e-9, 2e-9) * pose_b});
+    // They may merely touch there; and which of the deep points is found may differ, and the direction with it, along
+    // which the area is seen.
+    if (regions.size() != 1 || nearby.size() != 1 || !(dot(regions[0].normal, nearby[0].normal) > 1 - 1e-12)) continue;
+    ++compared;
+    EXPECT_NEAR(regions[0].area, nearby[0].area, 1e-6) << k;
+  }
+  EXPECT_GT(compared, 20);
+}
+
 TEST(ContactRegions, OfSurfacesHaveNoDepth) {
   const TriangleMesh sheet({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, {{0, 1, 2}});
   const auto regions = regions_of(sheet, box_mesh({0.5, 0.5, 0.5}), Pose::translation(0.3, -0.2, 0.125));

@@ -1,11 +1,39 @@
 #include "query/contacts/common_shadow.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "math/vec3_measures.hpp"
 #include "query/relation/relation_locality.hpp"
 
 namespace toccata {
+namespace {
+
+/// A part of the triangle's size, more than what pieces are cut by: nearer to a contact it is rounding on which side of
+/// it a corner lies, and the contact may have cut nothing off there.
+constexpr double beside_contact = 0x1p-32;
+
+bool is_near(const Vec3& p, const ContactSegment& segment, double distance) {
+  const Vec3 way = segment.to - segment.from;
+  const double squared = dot(way, way);
+  const double share = squared > 0 ? std::clamp(dot(p - segment.from, way) / squared, 0.0, 1.0) : 0;
+  const Vec3 apart = p - (segment.from + share * way);
+  return dot(apart, apart) <= distance * distance;
+}
+
+std::array<bool, 3> telling_corners(const Triangle& own, const std::array<bool, 3>& touched,
+                                    std::span<const ContactSegment> segments) {
+  const double size = largest_magnitude(own[1] - own[0]) + largest_magnitude(own[2] - own[0]);
+  std::array<bool, 3> telling{};
+  for (std::size_t k = 0; k < 3; ++k)
+    telling[k] = !touched[k] && std::ranges::none_of(segments, [&](const ContactSegment& segment) {
+      return is_near(own[k], segment, beside_contact * size);
+    });
+  return telling;
+}
+
+}  // namespace
+
 std::vector<Vec3> TriangleCutter::points_of(Index contact, const Triangle& own) const {
   const Contact& c = contacts_[contact];
   const bool is_a = side_ == ContactSide::a;
@@ -15,13 +43,14 @@ std::vector<Vec3> TriangleCutter::points_of(Index contact, const Triangle& own) 
 }
 
 std::optional<double> TriangleCutter::weight_of(const TrianglePart& part, const SurfaceWithin& within,
-                                                const SurfaceWithin::TriangleInContact& one) const {
+                                                const SurfaceWithin::TriangleInContact& one,
+                                                const std::array<bool, 3>& telling) const {
   if (part.face != nullptr) {
     if (side_ == ContactSide::b) return {};
     return part.face->same_side ? 0.5 : 1;
   }
   for (const int corner : part.corners)
-    if (corner >= 0 && !one.touched.vertices[static_cast<std::size_t>(corner)]) {
+    if (corner >= 0 && telling[static_cast<std::size_t>(corner)]) {
       const Index vertex = one.corners[static_cast<std::size_t>(corner)];
       return within.piece_of(vertex) == SurfaceWithin::none ? std::nullopt : std::optional(0.5);
     }
@@ -45,8 +74,9 @@ void TriangleCutter::add_pieces(const SurfaceWithin& within, const SurfaceWithin
     const bool same = dot(normal, cross(other[1] - other[0], other[2] - other[0])) > 0;
     faces.push_back({std::move(points), same == same_turn_});
   }
+  const std::array<bool, 3> telling = telling_corners(own, one.touched.vertices, segments);
   for (const TrianglePart& part : cut_triangle(own, std::move(segments), faces))
-    if (const std::optional<double> weight = weight_of(part, within, one))
+    if (const std::optional<double> weight = weight_of(part, within, one, telling))
       pieces.push_back({twice_area_of(part.points), *weight, part.contact});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,9 +31,11 @@ class TriangleCutter {
 
  private:
   [[nodiscard]] std::vector<Vec3> points_of(Index contact, const Triangle& own) const;
-  /// None of what is neither inside nor on a face.
+  /// None of what is neither inside nor on a face. `telling`: the triangle's corners that lie on the same side as what
+  /// hangs on them.
   [[nodiscard]] std::optional<double> weight_of(const TrianglePart& part, const SurfaceWithin& within,
-                                                const SurfaceWithin::TriangleInContact& one) const;
+                                                const SurfaceWithin::TriangleInContact& one,
+                                                const std::array<bool, 3>& telling) const;
 
   const VertexGraph& graph_;
   const VertexGraph& other_;
