@@ -25,10 +25,13 @@ std::array<bool, 3> telling_corners(const Triangle& own, const std::array<bool, 
                                     std::span<const ContactSegment> segments) {
   const double size = largest_magnitude(own[1] - own[0]) + largest_magnitude(own[2] - own[0]);
   std::array<bool, 3> telling{};
-  for (std::size_t k = 0; k < 3; ++k)
-    telling[k] = !touched[k] && std::ranges::none_of(segments, [&](const ContactSegment& segment) {
+  for (int k = 0; k < 3; ++k) {
+    const auto is_beside = [&](const ContactSegment& segment) {
       return is_near(own[k], segment, beside_contact * size);
-    });
+    };
+    const auto corner = static_cast<std::size_t>(k);
+    telling[corner] = !touched[corner] && std::ranges::none_of(segments, is_beside);
+  }
   return telling;
 }
 
