@@ -13,7 +13,7 @@ namespace {
 /// it a corner lies, and the contact may have cut nothing off there.
 constexpr double beside_contact = 0x1p-32;
 
-bool is_near(const Vec3& p, const ContactSegment& segment, double distance) {
+bool is_beside_segment(const Vec3& p, const ContactSegment& segment, double distance) {
   const Vec3 way = segment.to - segment.from;
   const double squared = dot(way, way);
   const double share = squared > 0 ? std::clamp(dot(p - segment.from, way) / squared, 0.0, 1.0) : 0;
@@ -27,7 +27,7 @@ std::array<bool, 3> telling_corners(const Triangle& own, const std::array<bool, 
   std::array<bool, 3> telling{};
   for (int k = 0; k < 3; ++k) {
     const auto is_beside = [&](const ContactSegment& segment) {
-      return is_near(own[k], segment, beside_contact * size);
+      return is_beside_segment(own[k], segment, beside_contact * size);
     };
     const auto corner = static_cast<std::size_t>(k);
     telling[corner] = !touched[corner] && std::ranges::none_of(segments, is_beside);

@@ -36,9 +36,9 @@ Vec3 shortest_axis(const Aabb& box) {
   return size.y <= size.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
 }
 
-Vec3 middle_of(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
+Vec3 middle_of_box(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
-bool holds(const Aabb& box, const Vec3& p) { return contains(box, Aabb{p, p}); }
+bool box_holds(const Aabb& box, const Vec3& p) { return contains(box, Aabb{p, p}); }
 
 /// A box of the search, in its frame.
 struct WaitingCell {
@@ -99,7 +99,7 @@ class CommonDepthSearch {
 
   /// In a frame along the direction.
   void search(const Vec3& direction, Until until) {
-    frame_ = frame_along(without_sign(direction), middle_of(box_));
+    frame_ = frame_along(without_sign(direction), middle_of_box(box_));
     waiting_ = {};
     settled_ = 0;
     seen_ = 0;
@@ -199,7 +199,7 @@ class CommonDepthSearch {
     const DepthSide::Place in_b = b_.at(world.middle, scratch_);
     DistanceBounds of_b = bounds_by_distance(b_, in_b, world, slack_);
     if (of_b.count == 0) return cell;
-    if (!holds(box_, world.middle))
+    if (!box_holds(box_, world.middle))
       see_point(world.middle);
     else if (in_a.inside && in_b.inside)
       see(of_both(world.middle, in_a.surface, in_b.surface));
@@ -228,11 +228,11 @@ class CommonDepthSearch {
       return std::pair(across.lower - slacks_of_nearest * slack_, across.point);
     };
     const Vec3 &on_a = in_a.surface.point, &on_b = in_b.surface.point;
-    if (!in_a.inside && holds(box_, on_a) && is_interior(on_a, b_.mesh())) {
+    if (!in_a.inside && box_holds(box_, on_a) && is_interior(on_a, b_.mesh())) {
       const auto [depth, across] = depth_in(b_, on_a);
       see({depth, on_a, on_a, across});
     }
-    if (!in_b.inside && holds(box_, on_b) && is_interior(on_b, a_.mesh())) {
+    if (!in_b.inside && box_holds(box_, on_b) && is_interior(on_b, a_.mesh())) {
       const auto [depth, across] = depth_in(a_, on_b);
       see({depth, on_b, across, on_b});
     }
@@ -297,7 +297,7 @@ FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std:
   using Until = CommonDepthSearch::Until;
   CommonDepthSearch search(a_, b_, box, size_, scratch_);
   search.see_vertices(of_a, of_b);
-  search.see_point(middle_of(box));
+  search.see_point(middle_of_box(box));
   if (search.best().depth == 0) search.search(shortest_axis(box), Until::some_point);
   search.climb();
   const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
