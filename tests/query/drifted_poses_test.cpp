@@ -118,7 +118,7 @@ TEST(DriftedPoses, WhatStretchesIsRefusedWithItsDeviation) {
     (void)overlap(Sphere(1), Sphere(1), {.pose_a = pose});
     FAIL() << "a stretched ball is no ball";
   } catch (const Error& error) {
-    for (const std::string part : {"0.562", "nearest_rotation", "ellipsoid"})
+    for (const std::string part : {"0.562", "nearest_rigid", "ellipsoid"})
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
