@@ -293,7 +293,7 @@ LoadedScene joined(const InputArguments& input, const std::map<std::string, Conv
     if (file_is_new)
       loaded.warnings.insert(loaded.warnings.end(), read.at(file).notes.begin(), read.at(file).notes.end());
     loaded.units.push_back(scene.unit);
-    if (scene.unit != loaded.scene.unit)
+    if (file_is_new && scene.unit != loaded.scene.unit)
       loaded.warnings.push_back(
           fmt::format("{} states no unit, and {}: its numbers are taken for {}, too; say with --unit what they are",
                       file, unit_text(stated->first, stated->second.scene), loaded.scene.unit));

@@ -82,6 +82,7 @@ std::set<std::string> options_told() {
     options.insert(help.substr(name, help.find_first_of(" \n,", name) - name));
   }
   options.erase("--help");
+  options.erase("--distributed");  // becomes another program (over_ranks_test.cpp)
   return options;
 }
 

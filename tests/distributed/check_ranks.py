@@ -14,6 +14,8 @@ import tempfile
 import zipfile
 
 MPIEXEC, RANKS, COMMAND, OVER_RANKS = sys.argv[1:]
+# On two ranks all is compared; each start of ranks takes a second, so on other numbers of them the least that needs them all.
+IS_WHOLE = RANKS == "2"
 TROUBLE = []
 FACES = ((1, 3, 2), (2, 3, 4), (5, 6, 7), (6, 8, 7), (1, 2, 5), (2, 6, 5), (3, 7, 4), (4, 7, 8), (1, 5, 3), (3, 5, 7),
          (2, 4, 6), (4, 8, 6))
@@ -127,12 +129,15 @@ def compare(files, options, least_lines):
 
 def check_mixed(folder):
     files = write_mixed(folder)
+    if not IS_WHOLE:
+        compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20)
+        return
     for solid in ([], ["--solid", "auto"], ["--solid", "none"]):
         compare(files, solid, 20)
     report = compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20)
     check({"overlapping", "touching", "apart"} <= {pair["relation"] for pair in report["pairs"]}, f"relations in {report['pairs']}")
     warnings = " ".join(report["warnings"])
-    check(all(words in warnings for words in ("are open", "closed by --close", "as large as", "compared as they are")), f"warnings: {warnings}")
+    check(all(words in warnings for words in ("are open", "closed by --close", "as large as", "states no unit")), f"warnings: {warnings}")
     compare(files, ["--penetration", "--volume", "--tolerance", "0.05", "--touching", "ignore"], 20)
     compare([file for file in files if not file.endswith((".json", ".3mf"))], ["--unit", "in", "--scale", "2", "--clearance", "1mm"], 9)
     compare([str(folder), "gen:box"], [], 9)  # the mesh files in it
@@ -158,10 +163,12 @@ def main():
         folder = pathlib.Path(name)
         (folder / "mixed").mkdir()
         files = write_boxes(folder)
-        for options in ([], ["--clearance", "0.3"], ["--penetration", "--volume"], ["--touching", "ignore", "--solid", "none"]):
+        all_options = [], ["--clearance", "0.3"], ["--touching", "ignore", "--solid", "none"], ["--penetration", "--volume"]
+        for options in all_options if IS_WHOLE else all_options[-1:]:
             compare(files, options, 10)
         check_mixed(folder / "mixed")
-        check_refusals(folder, files)
+        if IS_WHOLE:
+            check_refusals(folder, files)
     print("\n".join(TROUBLE) or f"{RANKS} ranks write the same bytes")
     return 1 if TROUBLE else 0
 
