@@ -1,4 +1,4 @@
-// mpirun -np N toccata-check-ranks FILE…: what `toccata check FILE…` tells with --csv or --json, of scenes that no rank
+// mpirun -np N toccata-check-ranks FILE…: what `toccata check FILE…` tells, of scenes that no rank
 // has all of. A program of its own, so that the command needs no MPI.
 #include <fmt/format.h>
 #include <mpi.h>
@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -13,13 +14,16 @@
 #include <utility>
 #include <vector>
 
+#include "check_command.hpp"
 #include "check_input.hpp"
-#include "clearance.hpp"
+#include "check_table.hpp"
 #include "distributed/ranks.hpp"
+#include "distributed/wanted_of_scene.hpp"
 #include "named_files.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
+#include "reports/questions/found_report.hpp"
 #include "run_ranks.hpp"
 #include "saved.hpp"
 #include "toccata/core/error.hpp"
@@ -35,9 +39,7 @@ namespace {
 constexpr double patience_seconds = 1800;
 
 /// What is asked over ranks, in the words of `check`.
-struct Arguments : CheckArguments {
-  bool volume = false;
-  std::string tolerance;  ///< a length; empty: none
+struct Arguments : CheckCommand {
   bool costs = false;
 };
 
@@ -47,68 +49,120 @@ struct PartRead {
   std::vector<SceneInstance> models;
 };
 
-PartRead read_part(const Arguments& arguments, std::size_t part) {
-  PartRead read{read_file(arguments.input.files[part], arguments.input), {}};
-  if (arguments.solid)
-    for (SceneObject& object : read.file.scene.objects) object.solid = *arguments.solid;
-  read.models = scene_models(read.file.scene, arguments.threads);
-  return read;
-}
-
-/// The files, as all ranks know them.
+/// What all ranks know of the files.
 struct ToldFiles {
-  LoadedScene loaded;  ///< shapes are not the objects' own (ToldPart)
-  std::vector<std::string> summaries;
-  std::vector<bool> is_open;
+  LoadedScene loaded;                ///< shapes are not the objects' own (ToldPart)
+  std::vector<ToldObject> objects;   ///< of all files
+  std::vector<SceneInstance> named;  ///< of which names and groups are the objects' own
 };
 
-ToldFiles told_files(const Arguments& arguments, std::span<const Bytes> messages) {
+std::map<std::size_t, ToldPart> parts_in(std::span<const Bytes> messages) {
   std::map<std::size_t, ToldPart> parts;
   for (const Bytes& bytes : messages)
     for (MessageReader reader(bytes); !reader.is_at_end();) {
       const auto number = reader.get<std::uint64_t>();
       parts.emplace(number, get_told_part(reader));
     }
-  ToldFiles told;
-  std::map<std::string, ConvertedScene> files;
-  for (auto& [number, part] : parts) {
-    told.summaries.insert(told.summaries.end(), part.summaries.begin(), part.summaries.end());
-    told.is_open.insert(told.is_open.end(), part.is_open.begin(), part.is_open.end());
-    files.emplace(arguments.input.files[number], std::move(part.file));
-  }
-  if (const std::string different = different_units(files); !different.empty())
-    throw Error(
-        fmt::format("{}: over ranks files of one unit are compared; `toccata check` makes metres of both", different));
-  told.loaded = joined(arguments.input, files);
-  return told;
+  return parts;
 }
 
+/// Files over ranks, none of which has all.
+class FilesOverRanks {
+ public:
+  FilesOverRanks(Ranks& ranks, MpiCommunicator all, const Arguments& arguments) : arguments_(arguments) {
+    look(ranks, all);
+    why_metres_ = command::why_metres(files_);
+    if (!why_metres_.empty()) look(ranks, all);
+    told_.loaded = joined(arguments_.input, files_);
+    for (const SceneObject& object : told_.loaded.scene.objects)
+      told_.named.push_back({Model(Point{}), object.pose, object.solid, object.name, object.group});
+  }
+  FilesOverRanks(const FilesOverRanks&) = delete;
+  FilesOverRanks& operator=(const FilesOverRanks&) = delete;
+
+  [[nodiscard]] DistributedScene& scene() { return *scene_; }
+  [[nodiscard]] ToldFiles& told() { return told_; }
+
+  /// Reads a file once more.
+  [[nodiscard]] PartRead read(std::size_t part) const {
+    const std::string& name = arguments_.input.files[part];
+    PartRead read{read_file(name, arguments_.input), {}};
+    if (!why_metres_.empty()) make_metres(read.file, name, why_metres_);
+    if (arguments_.solid)
+      for (SceneObject& object : read.file.scene.objects) object.solid = *arguments_.solid;
+    read.models = scene_models(read.file.scene, arguments_.threads);
+    return read;
+  }
+
+ private:
+  /// Every file is read by one rank, which tells the others of it.
+  void look(Ranks& ranks, MpiCommunicator all) {
+    MessageWriter own;
+    telling_ = &own;
+    const ReadPart read_and_tell = [this](std::size_t part) {
+      PartRead one = read(part);
+      if (telling_ != nullptr) {
+        telling_->put(std::uint64_t{part});
+        put_told_part(*telling_, one.file, one.models);
+      }
+      return std::move(one.models);
+    };
+    scene_.emplace(all, arguments_.input.files.size(), read_and_tell, patience_seconds);
+    telling_ = nullptr;
+    files_.clear();
+    told_.objects.clear();
+    for (auto& [number, part] : parts_in(ranks.of_all(own.take()))) {
+      told_.objects.insert(told_.objects.end(), part.objects.begin(), part.objects.end());
+      files_.emplace(arguments_.input.files[number], std::move(part.file));
+    }
+  }
+
+  const Arguments& arguments_;
+  std::string why_metres_;            ///< empty: they keep their units
+  MessageWriter* telling_ = nullptr;  ///< while they are read for the first time
+  std::optional<DistributedScene> scene_;
+  std::map<std::string, ConvertedScene> files_;  ///< without their shapes; one that is named twice is here once
+  ToldFiles told_;
+};
+
 /// The part of the first open mesh is read once more: what would close it is seen in its shape.
-void warn_of_told_meshes(ToldFiles& told, const Arguments& arguments) {
-  const auto first = static_cast<std::size_t>(std::ranges::find(told.is_open, true) - told.is_open.begin());
-  if (first == told.is_open.size()) return;
+void warn_of_told_meshes(FilesOverRanks& files) {
+  ToldFiles& told = files.told();
+  const auto is_open = [](const ToldObject& object) { return object.is_open; };
+  const auto first = static_cast<std::size_t>(std::ranges::find_if(told.objects, is_open) - told.objects.begin());
+  if (first == told.objects.size()) return;
   std::vector<std::string> open;
-  for (std::size_t i = first; i < told.is_open.size(); ++i)
-    if (told.is_open[i]) open.push_back(told.loaded.scene.objects[i].name);
+  for (std::size_t i = first; i < told.objects.size(); ++i)
+    if (told.objects[i].is_open) open.push_back(told.loaded.scene.objects[i].name);
   const std::vector<std::size_t>& first_of = told.loaded.first_object;
   const auto part = static_cast<std::size_t>(std::ranges::upper_bound(first_of, first) - first_of.begin()) - 1;
-  SceneInstance model = read_part(arguments, part).models[first - first_of[part]];
+  SceneInstance model = files.read(part).models[first - first_of[part]];
   model.name = open.front();
   warn_of_open_meshes(told.loaded, open, model);
 }
 
-CheckQuestion question_of(const Arguments& arguments, const Scene& scene) {
-  CheckQuestion question = check_question(arguments, false, read_clearances(arguments, scene));
-  question.volume = arguments.volume;
-  if (!arguments.tolerance.empty())
-    question.tolerance =
-        read_length("--tolerance", arguments.tolerance, length_units(scene, arguments.input), Longest::finite);
-  return question;
+/// With the warnings of one process, in their order; rank 0 prints those that come before the work.
+CheckQuestion question_about(FilesOverRanks& files, const Arguments& arguments, bool is_printing) {
+  LoadedScene& loaded = files.told().loaded;
+  if (is_printing) warn_of_told_meshes(files);
+  std::vector<std::string> left_out;
+  const DepthOptions depth = depth_options(arguments, left_out);
+  if (is_printing) warn_at_once(loaded, left_out);
+  return question_of(arguments, loaded, files.told().named, depth);
 }
 
-std::vector<AskedFile> asked_files(const ToldFiles& told, const std::vector<std::string>& names) {
+CheckReport report_of(const ToldFiles& told, const CheckQuestion& question, const CheckPairRules& rules,
+                      const WantedAnswer& found) {
+  const auto placed = [&](Index object) {
+    const SceneInstance& one = told.named[object];
+    return FormerObject{one.name, one.pose, told.objects[object].box};
+  };
+  return io::report_on(question, {told.named, rules, placed}, found);
+}
+
+std::vector<AskedFile> asked_files(const ToldFiles& told, std::span<const std::string> summaries,
+                                   const std::vector<std::string>& names) {
   const std::span<const SceneObject> objects = told.loaded.scene.objects;
-  const std::span<const std::string> summaries = told.summaries;
   std::vector<AskedFile> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::size_t first = told.loaded.first_object[i], count = told.loaded.first_object[i + 1] - first;
@@ -118,24 +172,37 @@ std::vector<AskedFile> asked_files(const ToldFiles& told, const std::vector<std:
   return files;
 }
 
-void print_report(ToldFiles& told, const Arguments& arguments, const CheckQuestion& question,
-                  const CheckReport& report) {
-  warn_of_told_meshes(told, arguments);
-  const LoadedScene& loaded = told.loaded;
-  print_warnings(loaded.warnings);
-  if (arguments.format == Format::json)
-    print_answer(with_asked(check_report_json(loaded.scene, told.summaries, report, loaded.warnings),
-                            asked_of(asked_files(told, arguments.input.files), arguments, question)));
-  else
-    print_answer(report_csv(loaded.scene, report));
+std::string json_of(const ToldFiles& told, const Arguments& arguments, const CheckQuestion& question,
+                    const CheckReport& report) {
+  std::vector<std::string> summaries;
+  for (const ToldObject& object : told.objects) summaries.push_back(object.summary);
+  return with_asked(check_report_json(told.loaded.scene, summaries, report, told.loaded.warnings),
+                    asked_of(asked_files(told, summaries, arguments.input.files), arguments, question));
 }
 
-void print_costs(const DistributedCheckCosts& own) {
+std::string table_of(const ToldFiles& told, const CheckReport& report) {
+  std::vector<TableObject> objects;
+  for (const ToldObject& object : told.objects) objects.push_back(object.table);
+  return check_table(told.loaded.scene, objects, report);
+}
+
+void print_report(const ToldFiles& told, const Arguments& arguments, const CheckQuestion& question,
+                  const CheckReport& report) {
+  print_warnings(untold_warnings(told.loaded));
+  if (arguments.format == Format::json)
+    print_answer(json_of(told, arguments, question, report));
+  else
+    print_answer(arguments.format == Format::csv ? report_csv(told.loaded.scene, report) : table_of(told, report));
+}
+
+/// `bytes_told` are of what ranks tell each other of their files.
+void print_costs(const DistributedCheckCosts& own, std::uint64_t bytes_told) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const std::array<double, 4> row{static_cast<double>(own.parts), static_cast<double>(own.elements),
-                                  static_cast<double>(own.candidates), static_cast<double>(own.bytes_sent)};
+                                  static_cast<double>(own.candidates),
+                                  static_cast<double>(own.bytes_sent + bytes_told)};
   std::vector<double> rows(row.size() * static_cast<std::size_t>(ranks));
   MPI_Gather(row.data(), static_cast<int>(row.size()), MPI_DOUBLE, rows.data(), static_cast<int>(row.size()),
              MPI_DOUBLE, 0, MPI_COMM_WORLD);
@@ -154,49 +221,36 @@ void require_files(const InputArguments& input) {
   require_use_of_unit(input);
 }
 
-/// The exit code, on all ranks.
+/// The exit code, on rank 0.
 int check(const Arguments& arguments) {
   require_files(arguments.input);
+  require_depths(arguments, arguments.penetration || !arguments.tolerance.empty() || !arguments.rules.files.empty());
   const MpiCommunicator all{MPI_Comm_c2f(MPI_COMM_WORLD)};
   Ranks ranks(all.fortran_handle, patience_seconds);
-  MessageWriter own;
-  bool is_first_look = true;
-  const ReadPart read_and_tell = [&](std::size_t part) {
-    PartRead read = read_part(arguments, part);
-    if (is_first_look) {
-      own.put(std::uint64_t{part});
-      put_told_part(own, read.file, read.models);
-    }
-    return std::move(read.models);
-  };
-  DistributedScene scene(all, arguments.input.files.size(), read_and_tell, patience_seconds);
-  is_first_look = false;
-  ToldFiles told = told_files(arguments, ranks.of_all(own.take()));
+  FilesOverRanks files(ranks, all, arguments);
+  DistributedScene& scene = files.scene();
   if (scene.model_count() < 2)
     throw Error(fmt::format("{} in all; a check needs two: name another file or a scene with more objects",
                             scene.model_count() == 1 ? "there is one object" : "there are no objects"));
-  const CheckQuestion question = question_of(arguments, told.loaded.scene);
+  const bool is_first = ranks.rank() == 0;
+  const CheckQuestion question = question_about(files, arguments, is_first);
   CheckOptions options = check_all_options(question);
   options.threads = arguments.threads;
-  const CheckReport report = make_check_report({}, scene.check(options), question);
-  if (ranks.rank() == 0) print_report(told, arguments, question, report);
-  std::uint64_t clashes = static_cast<std::uint64_t>(std::ranges::count_if(report.pairs, is_clash));
-  ranks.add_up({&clashes, 1});
-  if (arguments.costs) print_costs(scene.costs());
-  return clashes > 0 ? 1 : 0;
+  const CheckPairRules rules = io::rules_of(question, files.told().named);
+  const WantedAnswer found = check_wanted(scene, options, rules);
+  if (arguments.costs) print_costs(scene.costs(), ranks.bytes_sent());
+  if (!is_first) return 0;
+  const CheckReport report = report_of(files.told(), question, rules, found);
+  print_report(files.told(), arguments, question, report);
+  return code_of(report, arguments.fail_on);
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
   add_input(app, arguments.input, any_files);
   add_solid(app, arguments);
-  add_clearances(app, arguments);
-  app.add_flag("--penetration", arguments.penetration, "how deep solids overlap");
-  app.add_flag("--volume", arguments.volume, "how much volume solids have in common");
-  add_length(app, "--tolerance", arguments.tolerance,
-             "overlaps that are certainly no deeper are told apart and are no clash (0.1mm)");
-  app.add_option("--touching", arguments.touching_word, "whether pairs that merely touch are told")
-      ->check(CLI::IsMember({"count", "ignore"}))
-      ->capture_default_str();
+  add_pair_questions(app, arguments);
+  add_rules_of_clashes(app, arguments);
+  add_order(app, arguments);
   add_formats(app, arguments.format, "docs/reference/check-report.md");
   app.add_option("--threads", arguments.threads, "of each rank; 0: all that the machine has")
       ->check(whole_number(0, 1024))
@@ -208,14 +262,15 @@ int main_of(int count, char** words) {
   Arguments arguments;
   arguments.threads = own_thread;
   CLI::App app(
-      "Which objects touch, decided exactly: lines of values, or JSON, to the byte what `toccata check` writes with "
-      "the "
-      "same words and --csv or --json. Each rank of mpirun reads the files that its pairs are in, and no other.");
+      "Which objects touch, decided exactly: to the byte what `toccata check` writes with the same words. Each rank of "
+      "mpirun reads the files that its pairs are in, and no other.");
   add_options(app, arguments);
-  app.footer("Exit code: 0 nothing touches or is nearer than its clearance, 1 something is, 2 trouble.");
+  app.footer(
+      "Exit code: 0 nothing touches or is nearer than its clearance, 1 something is (--fail-on says what counts), 2 "
+      "trouble.");
   if (const std::optional<int> code = end_by_words(app, count, words)) return *code;
   take_words(arguments);
-  arguments.touching = arguments.touching_word == "ignore" ? Touching::ignore : Touching::count;
+  take_choices(arguments);
   return check(arguments);
 }
 

@@ -10,8 +10,8 @@
 #include "arguments.hpp"
 #include "ask.hpp"
 #include "case_asked.hpp"
+#include "check_command.hpp"
 #include "check_input.hpp"
-#include "check_rules.hpp"
 #include "check_table.hpp"
 #include "clearance.hpp"
 #include "early_end.hpp"
@@ -29,24 +29,6 @@
 
 namespace toccata::command {
 namespace {
-
-/// What counts as found, for the exit code.
-enum class FailOn { any, hard, added };
-
-/// With what only `check` has of options.
-struct CheckCommand : CheckArguments {
-  RuleArguments rules;
-  std::string baseline;  ///< a file; empty: none
-  PairOrder order = PairOrder::objects;
-  ClashGrouping grouping = ClashGrouping::none;
-  FailOn fail_on = FailOn::any;
-  bool by_winding = false;  ///< what is inside open meshes
-  bool volume = false;
-  std::string tolerance;  ///< a length; empty: none
-
-  // As they are written.
-  std::string order_word = "objects", fail_on_word = "any", group_word = "none";
-};
 
 /// Options that have nothing to do with each other, and why.
 struct Refusal {
@@ -82,38 +64,6 @@ void require_company(const CLI::App& app) {
         throw Error(fmt::format("{0} excludes {1}: {2}; give one of the two", refusal.option, other, refusal.why));
 }
 
-/// Whether a reported pair makes the check fail. What may overlap, for all that could be decided, counts as if it did.
-bool is_failure(const ReportedPair& pair, FailOn fail_on) {
-  if (!is_clash(pair)) return false;
-  switch (fail_on) {
-    case FailOn::any:
-      return true;
-    case FailOn::hard:
-      return counts_as_contact(pair.relation, Touching::ignore);
-    case FailOn::added:
-      return since_baseline(pair) == Since::added || since_baseline(pair) == Since::graver;
-  }
-  return true;
-}
-
-/// The exit code of a check that was stopped, whatever it found.
-constexpr int unfinished_code = 3;
-
-int code_of(const CheckReport& report, FailOn fail_on) {
-  if (report.unfinished > 0) return unfinished_code;
-  const auto fails = [&](const ReportedPair& pair) { return is_failure(pair, fail_on); };
-  return std::any_of(report.pairs.begin(), report.pairs.end(), fails) ? 1 : 0;
-}
-
-/// Throws Error where options are about depths, and nothing asks for them.
-void require_depths(const CheckCommand& arguments, bool are_asked) {
-  if (are_asked) return;
-  for (const auto& [name, word] : {std::pair("--precision", &arguments.precision_word),
-                                   std::pair("--time-per-depth", &arguments.time_per_depth_word)})
-    if (!word->empty())
-      throw Error(fmt::format("{} is about depths, which are not asked for: add --penetration or --tolerance", name));
-}
-
 int run_check_poses(const CheckCommand& arguments) {
   require_view(arguments);
   CheckInput input = read_check_input(arguments);
@@ -134,25 +84,6 @@ int run_check_self(const CheckArguments& arguments) {
   const CheckInput input = read_check_input(arguments);
   const SelfQuestion question{arguments.faces};
   return exit_code_of(answer_to(question, input, arguments, "checking"));
-}
-
-CheckQuestion question_of(const CheckCommand& arguments, CheckInput& input) {
-  LoadedScene& loaded = input.loaded;
-  CheckQuestion question = check_question(arguments, arguments.faces, read_clearances(arguments, loaded.scene));
-  std::vector<std::string> left_out;
-  question.depth = depth_options(arguments, left_out);
-  warn_at_once(loaded, left_out);
-  const LengthUnits units = length_units(loaded.scene, arguments.input);
-  question.rules = read_rules(arguments.rules, input.models, units, loaded.warnings);
-  question.volume = arguments.volume;
-  if (!arguments.tolerance.empty())
-    question.tolerance = read_length("--tolerance", arguments.tolerance, units, Longest::finite);
-  question.grouping = arguments.grouping;
-  if (!arguments.baseline.empty()) question.baseline = read_baseline(arguments.baseline, loaded.scene);
-  question.order = arguments.order;
-  question.by_winding = arguments.by_winding;
-  require_depths(arguments, question.penetration || question.tolerance || !question.rules.tolerances.empty());
-  return question;
 }
 
 void warn_of_unfinished(LoadedScene& loaded, const CheckReport& report) {
@@ -203,7 +134,10 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
                     "say --split where the file has several parts in it, or --self to check it against itself",
                     arguments.input.files.front()));
   warn_of_open_meshes(input, arguments.threads, arguments.by_winding ? OpenMeshes::by_winding : OpenMeshes::surfaces);
-  const CheckQuestion question = question_of(arguments, input);
+  std::vector<std::string> left_out;
+  const DepthOptions depth = depth_options(arguments, left_out);
+  warn_at_once(loaded, left_out);
+  const CheckQuestion question = question_of(arguments, loaded, input.models, depth);
   SceneAnswer answer = ask_for(input, question, arguments, {"checking", is_drawn(arguments)});
   warn_of_unfinished(input.loaded, std::get<CheckReport>(answer));
   const int code = code_of(std::get<CheckReport>(answer), arguments.fail_on);
@@ -212,33 +146,6 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
 }
 
 }  // namespace
-
-DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::string>& warnings) {
-  DepthOptions depth = CheckOptions{}.depth;
-  const auto take = [&](const std::string& word, const char* name, double& number, const std::string& instead) {
-    double given = 0;
-    const char* const end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, given);
-    if (error == std::errc{} && rest == end && given > 0 && std::isfinite(given))
-      number = given;
-    else if (!word.empty())
-      warnings.push_back(
-          fmt::format("{} {} is not a finite number above 0: answered {}", name, printable(word), instead));
-  };
-  take(arguments.precision_word, "--precision", depth.precision, fmt::format("with {}", depth.precision));
-  take(arguments.time_per_depth_word, "--time-per-depth", depth.time_limit, "without a limit");
-  return depth;
-}
-
-CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances) {
-  CheckQuestion question;
-  question.touching = arguments.touching;
-  question.faces = faces;
-  question.penetration = arguments.penetration;
-  question.clearance = clearances.common;
-  question.pair_clearances = clearances.of_pairs;
-  return question;
-}
 
 std::string table_of(const CheckInput& input, const CheckReport& report) {
   return check_table(input.loaded.scene, report);
@@ -291,7 +198,7 @@ std::string table_of(const CheckInput& input, const SelfReport& report) {
                                              : fmt::format("{} {}, decided exactly.\n", counted(intersection, "object"),
                                                            intersection == 1 ? "self-intersects" : "self-intersect");
   std::string text = fmt::format("{} with {}, each against itself.\n", counted(rows.size(), "object"),
-                                 counted(triangle_count(scene), "triangle"));
+                                 counted(triangle_count(table_objects(scene)), "triangle"));
   if (!report.has_faces) return text + columns(rows, 2) + last;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += columns({rows[i]}, 2);
@@ -316,66 +223,15 @@ void add_questions(CLI::App& check, CheckCommand& arguments) {
                   "it, undecided (default: as the scene says, else auto)")
       ->check(CLI::IsMember({"auto", "all", "none", "by-winding"}));
   add_close(check, arguments.input);
-  check.add_option("--touching", arguments.touching_word, "whether merely touching counts, also with a clearance")
-      ->check(CLI::IsMember({"count", "ignore"}))
-      ->capture_default_str();
-  check.add_flag("--penetration", arguments.penetration,
-                 "how deep solids overlap, a way to part them, their regions of contact and (without --poses) their "
-                 "points of contact");
-  add_text(check, "--precision", arguments.precision_word,
-           "how wide the bracket of a depth may be, of --penetration or --tolerance: upper at most 1 + so many times "
-           "lower (0.1)",
-           "a number must be given")
-      ->type_name("NUMBER");
-  add_text(check, "--time-per-depth", arguments.time_per_depth_word,
-           "seconds for the depth of each pair: then the bracket so far is told (none)", "seconds must be given")
-      ->type_name("SECONDS");
-  check.add_flag("--volume", arguments.volume,
-                 "how much volume solids have in common, between bounds; whether one passes through the other; and a "
-                 "point of both");
+  add_pair_questions(check, arguments);
   check.add_flag("--self", arguments.self,
                  "each object against itself, instead of against the others: where its own faces meet");
   check.add_flag("--faces", arguments.faces,
                  "list the faces that meet, by the files' own numbers from 0; with --poses, count them");
 }
 
-/// Which pairs are told, and which of them are clashes.
-void add_rules_of_clashes(CLI::App& check, CheckCommand& arguments) {
-  add_length(check, "--tolerance", arguments.tolerance,
-             "overlaps that are certainly no deeper are told apart and are no clash (0.1mm); in a file of --rules also "
-             "of some pairs");
-  add_clearances(check, arguments);
-  add_rules(check, arguments.rules);
-  add_file(check, "--baseline", arguments.baseline,
-           "an earlier report of --json: which pairs are new since, graver, known, moved or gone", "REPORT.json");
-}
-
-/// What fails, and how the pairs are ordered.
-void add_order(CLI::App& check, CheckCommand& arguments) {
-  check
-      .add_option(
-          "--fail-on", arguments.fail_on_word,
-          "exit code 1 for any pair that is told, only for hard ones, which do more than touch or come near, or "
-          "only for what is new or graver than in the baseline")
-      ->check(CLI::IsMember({"any", "hard", "new"}))
-      ->capture_default_str();
-  check
-      .add_option("--sort", arguments.order_word,
-                  "the order of the pairs: that of the objects, or first what overlaps, the deepest of it first where "
-                  "--penetration is asked, then what touches, then what is near")
-      ->check(CLI::IsMember({"objects", "severity"}))
-      ->capture_default_str();
-  check
-      .add_option("--group", arguments.group_word,
-                  "which clashes belong together: those of one part, or those in places next to each other")
-      ->check(CLI::IsMember({"none", "part", "region"}))
-      ->capture_default_str();
-}
-
 /// Takes the words in, and throws Error where they exclude each other.
-void take_choices(CheckCommand& arguments) {
-  if (arguments.fail_on_word == "new" && arguments.baseline.empty())
-    throw Error("--fail-on new tells what is new from what a baseline knows: add --baseline with an earlier report");
+void take_all_words(CheckCommand& arguments) {
   arguments.by_winding = arguments.solid_word == "by-winding";
   if (arguments.by_winding && (arguments.format == Format::stream || !arguments.poses.empty()))
     throw Error(fmt::format(
@@ -384,12 +240,7 @@ void take_choices(CheckCommand& arguments) {
         arguments.poses.empty() ? "--stream" : "--poses"));
   if (arguments.by_winding) arguments.solid_word = "auto";
   take_words(arguments);
-  arguments.touching = arguments.touching_word == "ignore" ? Touching::ignore : Touching::count;
-  if (arguments.order_word == "severity") arguments.order = PairOrder::severity;
-  if (arguments.group_word != "none")
-    arguments.grouping = arguments.group_word == "part" ? ClashGrouping::part : ClashGrouping::region;
-  if (arguments.fail_on_word != "any")
-    arguments.fail_on = arguments.fail_on_word == "hard" ? FailOn::hard : FailOn::added;
+  take_choices(arguments);
 }
 
 }  // namespace
@@ -433,7 +284,7 @@ Subcommand add_check(CLI::App& app) {
                 "  {0} check scenes/shelf/scene.json --json"));
   return {check, [arguments, check] {
             require_company(*check);
-            take_choices(*arguments);
+            take_all_words(*arguments);
             return run_check(*arguments, asking_options(*check));
           }};
 }

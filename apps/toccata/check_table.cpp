@@ -154,9 +154,8 @@ std::string clearance_line(const Scene& scene, const CheckReport& report) {
 }
 
 /// Why a pair has no depth.
-std::string depth_refusal(const Scene& scene, const ReportedPair& pair) {
-  const PairCell cell =
-      pair_cell(ShapeQuestion::penetration, kind_of(scene.objects[pair.a].shape), kind_of(scene.objects[pair.b].shape));
+std::string depth_refusal(std::span<const TableObject> objects, const ReportedPair& pair) {
+  const PairCell cell = pair_cell(ShapeQuestion::penetration, objects[pair.a].kind, objects[pair.b].kind);
   return fmt::format("no depth: {}\n", cell.state == PairState::defined ? pair_cells::surface.text : cell.text);
 }
 
@@ -199,22 +198,22 @@ std::string element_lines(const std::vector<ContactManifold>& manifolds) {
 }
 
 /// How deep they overlap, and a line for each point and region of contact.
-std::string depth_lines(const Scene& scene, const ReportedPair& pair) {
+std::string depth_lines(std::span<const TableObject> objects, const ReportedPair& pair) {
   if (pair.relation.kind == RelationKind::apart) return {};
-  std::string text =
-      "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end) + "\n" : depth_refusal(scene, pair));
+  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end) + "\n"
+                                                  : depth_refusal(objects, pair));
   if (pair.manifold)
     for (int i = 0; i < pair.manifold->count; ++i) text += point_line("contact", *pair.manifold, i);
   return text + element_lines(pair.manifolds) + region_lines(pair.regions);
 }
 
 /// A line for the pair, and what is told below it.
-std::string pair_text(const Scene& scene, const CheckReport& report, const std::vector<std::string>& row,
-                      const ReportedPair& pair) {
+std::string pair_text(std::span<const TableObject> objects, const CheckReport& report,
+                      const std::vector<std::string>& row, const ReportedPair& pair) {
   const bool is_apart = pair.relation.kind == RelationKind::apart;
   std::string text = columns({row}, 2);
   if (report.has_volume && !is_apart && pair.relation.kind != RelationKind::touching) text += volume_line(pair);
-  if (report.has_penetration) text += depth_lines(scene, pair);
+  if (report.has_penetration) text += depth_lines(objects, pair);
   if (report.has_faces && !is_apart) text += face_lines(pair.face_pairs);
   return text;
 }
@@ -225,7 +224,7 @@ std::string group_heading(const std::vector<std::string>& names, const ClashGrou
   return fmt::format("{}: {}\n", what, counted(group.pairs.size(), "pair"));
 }
 
-std::string pair_lines(const Scene& scene, const CheckReport& report) {
+std::string pair_lines(const Scene& scene, std::span<const TableObject> objects, const CheckReport& report) {
   const std::vector<std::string> names = table_names(scene.objects);
   std::vector<std::vector<std::string>> rows;
   for (const ReportedPair& pair : report.pairs) rows.push_back(row_of(names, pair, report));
@@ -235,7 +234,7 @@ std::string pair_lines(const Scene& scene, const CheckReport& report) {
     std::string text;
     for (const std::size_t i : pairs) {
       listed.push_back(rows[i]);
-      if (!is_plain) text += pair_text(scene, report, rows[i], report.pairs[i]);
+      if (!is_plain) text += pair_text(objects, report, rows[i], report.pairs[i]);
     }
     return is_plain ? columns(listed, 2) : text;
   };
@@ -270,10 +269,18 @@ bool tells_lengths(const CheckReport& report) {
 
 }  // namespace
 
-std::size_t triangle_count(const Scene& scene) {
+std::vector<TableObject> table_objects(const Scene& scene) {
+  std::vector<TableObject> objects;
+  for (const SceneObject& object : scene.objects) {
+    const auto mesh = object.mesh();
+    objects.push_back({kind_of(object.shape), mesh ? mesh->triangle_count() : 0});
+  }
+  return objects;
+}
+
+std::size_t triangle_count(std::span<const TableObject> objects) {
   std::size_t count = 0;
-  for (const SceneObject& object : scene.objects)
-    if (const auto mesh = object.mesh()) count += mesh->triangle_count();
+  for (const TableObject& object : objects) count += object.triangles;
   return count;
 }
 
@@ -298,6 +305,10 @@ std::string face_lines(const std::vector<ReportedFacePair>& pairs) {
 }
 
 std::string check_table(const Scene& scene, const CheckReport& report) {
+  return check_table(scene, table_objects(scene), report);
+}
+
+std::string check_table(const Scene& scene, std::span<const TableObject> objects, const CheckReport& report) {
   const auto near =
       static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
         return pair.relation.kind == RelationKind::apart;
@@ -309,7 +320,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
         return (may_be_neither || pair.winding) && pair.relation.status != Status::exact;
       }));
   std::string text = fmt::format("{} with {}; the bounding boxes of {} overlap{}.\n",
-                                 counted(scene.objects.size(), "object"), counted(triangle_count(scene), "triangle"),
+                                 counted(scene.objects.size(), "object"), counted(triangle_count(objects), "triangle"),
                                  counted(report.candidate_pairs, "pair"), report.clearance ? " or are as near" : "");
   if (report.clearance) text += clearance_line(scene, report);
   if (report.pairs.empty())
@@ -317,7 +328,7 @@ std::string check_table(const Scene& scene, const CheckReport& report) {
             (report.clearance ? " or is nearer than its clearance" : "") +
             (report.ignored_touching > 0 ? " beyond touching.\n" : ".\n");
   else
-    text += pair_lines(scene, report) +
+    text += pair_lines(scene, objects, report) +
             fmt::format("{} in contact{}, {}.\n", counted(report.pairs.size() - near, "pair"),
                         report.clearance ? fmt::format(" and {} not farther apart than asked", near) : "",
                         decided_text(undecided));

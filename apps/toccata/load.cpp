@@ -176,36 +176,25 @@ double metres_of(std::string_view unit) {
   return metres_per_unit(unit);
 }
 
-/// Throws Error where the unit of the scene is not known. `why` is told.
-void make_metres(ConvertedScene& read, const std::string& file, std::string_view why) {
-  const std::string unit = read.scene.unit;
-  if (unit == "unit")
-    throw Error(
-        fmt::format("{}: its unit is \"unit\", which is no length that could become the metres of --unit; "
-                    "change \"unit\" there, or leave out --unit",
-                    file));
-  read.scene = scaled(std::move(read.scene), metres_of(unit));
-  read.scene.unit = "m";
-  if (unit != "m")
-    read.notes.push_back(
-        fmt::format("{}: its unit is {}; {} its numbers are made metres and rounded to doubles: "
-                    "what touches or fits exactly there may not any more",
-                    file, unit, why));
-}
-
 using ScenesRead = std::map<std::string, ConvertedScene>;
 
 bool states_unit(const ScenesRead::value_type& read) { return read.second.scene.unit != "unit"; }
 
-/// Where files state different units, all become metres, in whatever order they are named. Throws Error where one
-/// states none beside such.
+/// Which two files state different units, and which; empty where none do.
+std::string different_units(const ScenesRead& read) {
+  const auto first = std::find_if(read.begin(), read.end(), states_unit);
+  const auto other = std::find_if(first, read.end(), [&](const ScenesRead::value_type& one) {
+    return states_unit(one) && metres_of(one.second.scene.unit) != metres_of(first->second.scene.unit);
+  });
+  if (other == read.end()) return {};
+  return fmt::format("{} and {}", unit_text(first->first, first->second.scene),
+                     unit_text(other->first, other->second.scene));
+}
+
+/// In whatever order they are named.
 void make_units_equal(ScenesRead& read) {
-  const std::string stated = different_units(read);
-  if (stated.empty()) return;
-  const auto none = std::find_if_not(read.begin(), read.end(), states_unit);
-  if (none != read.end())
-    throw Error(fmt::format("{} states no unit, and {}: say with --unit what its numbers are", none->first, stated));
-  const std::string why = fmt::format("since {},", stated);
+  const std::string why = why_metres(read);
+  if (why.empty()) return;
   for (auto& [file, one] : read) make_metres(one, file, why);
 }
 
@@ -269,14 +258,29 @@ ConvertedScene read_file(const std::string& file, const InputArguments& input) {
   return read;
 }
 
-std::string different_units(const std::map<std::string, ConvertedScene>& read) {
-  const auto first = std::find_if(read.begin(), read.end(), states_unit);
-  const auto other = std::find_if(first, read.end(), [&](const ScenesRead::value_type& one) {
-    return states_unit(one) && metres_of(one.second.scene.unit) != metres_of(first->second.scene.unit);
-  });
-  if (other == read.end()) return {};
-  return fmt::format("{} and {}", unit_text(first->first, first->second.scene),
-                     unit_text(other->first, other->second.scene));
+void make_metres(ConvertedScene& read, const std::string& file, std::string_view why) {
+  const std::string unit = read.scene.unit;
+  if (unit == "unit")
+    throw Error(
+        fmt::format("{}: its unit is \"unit\", which is no length that could become the metres of --unit; "
+                    "change \"unit\" there, or leave out --unit",
+                    file));
+  read.scene = scaled(std::move(read.scene), metres_of(unit));
+  read.scene.unit = "m";
+  if (unit != "m")
+    read.notes.push_back(
+        fmt::format("{}: its unit is {}; {} its numbers are made metres and rounded to doubles: "
+                    "what touches or fits exactly there may not any more",
+                    file, unit, why));
+}
+
+std::string why_metres(const std::map<std::string, ConvertedScene>& read) {
+  const std::string stated = different_units(read);
+  if (stated.empty()) return {};
+  const auto none = std::find_if_not(read.begin(), read.end(), states_unit);
+  if (none != read.end())
+    throw Error(fmt::format("{} states no unit, and {}: say with --unit what its numbers are", none->first, stated));
+  return fmt::format("since {},", stated);
 }
 
 LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read) {

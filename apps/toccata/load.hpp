@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "arguments.hpp"
@@ -32,8 +33,12 @@ void require_use_of_unit(const InputArguments& input);
 /// are.
 ConvertedScene read_file(const std::string& file, const InputArguments& input);
 
-/// Which two files state different units, and which; empty where none do.
-std::string different_units(const std::map<std::string, ConvertedScene>& read);
+/// Its numbers become metres, and a note tells `why`. Throws Error where its unit is not known.
+void make_metres(ConvertedScene& read, const std::string& file, std::string_view why);
+
+/// Why the numbers of all these files become metres: two state different units. Empty where none do. Throws Error where
+/// one states none beside such.
+std::string why_metres(const std::map<std::string, ConvertedScene>& read);
 
 /// One scene of what the files hold, by their names, as `load` makes it of files whose units are equal.
 LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read);

@@ -8,6 +8,7 @@
 
 #include "ask.hpp"
 #include "case_asked.hpp"
+#include "check_command.hpp"
 #include "look.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"

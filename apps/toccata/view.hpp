@@ -54,10 +54,4 @@ void write_files(const ViewTarget& target, const std::string& page, const std::s
 /// A line for each file that was written, with what it `holds`.
 std::string written_lines(const ViewTarget& target, const std::string& holds);
 
-/// What `check` asks.
-/// How narrow depths are asked for. What is no number above 0 is warned of, and left out.
-DepthOptions depth_options(const CheckArguments& arguments, std::vector<std::string>& warnings);
-
-CheckQuestion check_question(const CheckArguments& arguments, bool faces, const ClearanceQuestion& clearances);
-
 }  // namespace toccata::command

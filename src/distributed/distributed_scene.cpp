@@ -1,6 +1,7 @@
 #include "toccata/distributed/distributed_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "distributed/pair_answer_bytes.hpp"
 #include "distributed/ranks.hpp"
 #include "distributed/space_of_ranks.hpp"
+#include "distributed/wanted_of_scene.hpp"
 #include "query/posed_shape.hpp"
 #include "query/scenes/check_wanted.hpp"
 #include "query/scenes/clearances.hpp"
@@ -38,20 +40,21 @@ class DistributedScene::State {
     divide();
   }
 
-  CheckAnswer check(const CheckOptions& options) {
-    const Clearances asked = clearances(options);
+  WantedAnswer check(const CheckOptions& options, const CheckPairRules& rules) {
+    const Clearances asked = clearances(options, rules.clearances);
     WantedAnswer found;
     ranks_.all_do([&] {
-      found = decide(options, asked);
+      found = decide(options, rules, asked);
       return false;
     });
     costs_.candidates = found.answer.candidate_pairs;
-    std::uint64_t candidates = costs_.candidates;
-    ranks_.add_up({&candidates, 1});
-    CheckAnswer answer = gathered(found.answer.pairs);
-    answer.candidate_pairs = candidates;
+    std::array<std::uint64_t, 2> counts{costs_.candidates, found.left_out};
+    ranks_.add_up(counts);
+    found.answer = gathered(found.answer.pairs);
+    found.answer.candidate_pairs = counts[0];
+    found.left_out = counts[1];
     costs_.bytes_sent = ranks_.bytes_sent();
-    return answer;
+    return found;
   }
 
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
@@ -127,10 +130,11 @@ class DistributedScene::State {
   }
 
   /// What is wrong with them is found here, on all ranks alike, and not where a pair is decided.
-  [[nodiscard]] Clearances clearances(const CheckOptions& options) const {
+  [[nodiscard]] Clearances clearances(const CheckOptions& options, const RuleClearances& rules) const {
     return {{models_.size(), [&](std::size_t i) { return name_for_messages(models_[i].name, i); },
              [&](std::size_t i) -> std::string_view { return models_[i].group; }},
-            options};
+            options,
+            rules};
   }
 
   [[nodiscard]] bool are_near(const PairClearance& pair) const {
@@ -139,11 +143,11 @@ class DistributedScene::State {
   }
 
   /// Those that hold a model of a pair which is decided here. A pair that is not asked about may be among them.
-  [[nodiscard]] std::set<std::size_t> needed_parts(const CheckOptions& options,
+  [[nodiscard]] std::set<std::size_t> needed_parts(const Clearances& asked,
                                                    std::span<const PairClearance> of_pairs) const {
-    const double half = half_rounded_up(std::max(options.clearance.value_or(0), 0.0));
     std::vector<Aabb> boxes;
-    for (const KnownModel& model : models_) boxes.push_back(widened(model.box, half));
+    for (std::size_t i = 0; i < models_.size(); ++i)
+      boxes.push_back(widened(models_[i].box, half_rounded_up(asked.greatest_of(i))));
     const BoxBvh tree(boxes);
     std::set<std::size_t> needed;
     for (std::size_t i = 0; i < models_.size(); ++i) {
@@ -158,15 +162,35 @@ class DistributedScene::State {
   }
 
   /// Answers the pairs that are decided here; their numbers are those of all models.
-  [[nodiscard]] WantedAnswer decide(const CheckOptions& options, const Clearances& asked) {
+  [[nodiscard]] WantedAnswer decide(const CheckOptions& options, const CheckPairRules& rules, const Clearances& asked) {
     CheckOptions own = options;
     std::erase_if(own.pair_clearances,
                   [&](const PairClearance& pair) { return !is_decided_here(pair.a, pair.b) || !are_near(pair); });
     // Distances are told of all pairs where a clearance is asked of any, also of none that is decided here.
     if (!options.pair_clearances.empty()) own.clearance = options.clearance.value_or(0);
+    const std::set<std::size_t> needed = needed_parts(asked, own.pair_clearances);
+    const ModelsHere here = read_again(needed);
+    for (PairClearance& pair : own.pair_clearances) pair = {here.local(pair.a), here.local(pair.b), pair.clearance};
+    WantedAnswer found = check_wanted(here.models, own, rules_here(rules, asked, here.numbers));
+    for (PairAnswer& pair : found.answer.pairs) {
+      pair.a = here.numbers[pair.a];
+      pair.b = here.numbers[pair.b];
+    }
+    return found;
+  }
+
+  /// Models of parts that were read again, ascending by their numbers among all.
+  struct ModelsHere {
     std::vector<SceneInstance> models;
     std::vector<Index> numbers;
-    const std::set<std::size_t> needed = needed_parts(options, own.pair_clearances);
+
+    [[nodiscard]] Index local(Index model) const {
+      return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), model) - numbers.begin());
+    }
+  };
+
+  ModelsHere read_again(const std::set<std::size_t>& needed) {
+    ModelsHere here;
     costs_.parts = needed.size();
     costs_.elements = 0;
     for (const std::size_t part : needed) {
@@ -176,24 +200,35 @@ class DistributedScene::State {
                                 first_models_[part + 1] - first_models_[part]));
       costs_.elements += parts_[part].elements - 1;
       for (std::size_t i = 0; i < some.size(); ++i) {
-        numbers.push_back(static_cast<Index>(first_models_[part] + i));
-        models.push_back(std::move(some[i]));
+        here.numbers.push_back(static_cast<Index>(first_models_[part] + i));
+        here.models.push_back(std::move(some[i]));
       }
     }
-    const auto local = [&](Index model) {
-      return static_cast<Index>(std::lower_bound(numbers.begin(), numbers.end(), model) - numbers.begin());
+    return here;
+  }
+
+  /// What rules about all models say of those here, of the pairs that are decided here. All that they refer to must
+  /// outlive them.
+  [[nodiscard]] CheckPairRules rules_here(const CheckPairRules& rules, const Clearances& asked,
+                                          const std::vector<Index>& numbers) const {
+    const auto among_all = [&numbers](const IndexPair& pair) {
+      return IndexPair{numbers[pair.first], numbers[pair.second]};
     };
-    for (PairClearance& pair : own.pair_clearances) pair = {local(pair.a), local(pair.b), pair.clearance};
-    const PairFilter is_decided = [&](const IndexPair& pair) {
-      const Index a = numbers[pair.first], b = numbers[pair.second];
+    CheckPairRules here;
+    here.here = [this, &asked, among_all](const IndexPair& pair) {
+      const auto [a, b] = among_all(pair);
       return is_decided_here(a, b) && !asked.of_pairs().contains({a, b});
     };
-    WantedAnswer found = check_wanted(models, own, {.wanted = is_decided});
-    for (PairAnswer& pair : found.answer.pairs) {
-      pair.a = numbers[pair.a];
-      pair.b = numbers[pair.b];
-    }
-    return found;
+    if (rules.wanted)
+      here.wanted = [&rules, among_all](const IndexPair& pair) { return rules.wanted(among_all(pair)); };
+    if (rules.tolerances)
+      here.tolerances = [&rules, among_all](const IndexPair& pair) { return rules.tolerances(among_all(pair)); };
+    if (!rules.clearances.of_pair) return here;
+    here.clearances.of_pair = [&rules, among_all](const IndexPair& pair) {
+      return rules.clearances.of_pair(among_all(pair));
+    };
+    for (const Index model : numbers) here.clearances.greatest.push_back(rules.clearances.greatest[model]);
+    return here;
   }
 
   /// On rank 0 the pairs of all ranks, ascending.
@@ -229,11 +264,15 @@ DistributedScene::DistributedScene(DistributedScene&&) noexcept = default;
 DistributedScene& DistributedScene::operator=(DistributedScene&&) noexcept = default;
 DistributedScene::~DistributedScene() = default;
 
-CheckAnswer DistributedScene::check(const CheckOptions& options) { return state_->check(options); }
+CheckAnswer DistributedScene::check(const CheckOptions& options) { return check_wanted(*this, options, {}).answer; }
 std::size_t DistributedScene::model_count() const { return state_->models().size(); }
 std::size_t DistributedScene::first_model(std::size_t part) const { return state_->first_model(part); }
 const std::string& DistributedScene::name(std::size_t model) const { return state_->models().at(model).name; }
 const DistributedCheckCosts& DistributedScene::costs() const { return state_->costs(); }
 int DistributedScene::rank() const { return state_->ranks().rank(); }
+
+WantedAnswer check_wanted(DistributedScene& scene, const CheckOptions& options, const CheckPairRules& rules) {
+  return scene.state_->check(options, rules);
+}
 
 }  // namespace toccata

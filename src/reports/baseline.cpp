@@ -88,13 +88,13 @@ class FormerPairs {
 /// How the objects of a baseline lay, and those of now lie.
 class PlacesSince {
  public:
-  PlacesSince(const Baseline& baseline, std::span<const SceneInstance> models) : models_(models) {
+  PlacesSince(const Baseline& baseline, const io::Checked& checked) : checked_(checked) {
     for (const FormerObject& object : baseline.objects) former_.emplace(object.name, &object);
   }
 
   /// How far one of two objects of now has moved as seen from the other.
   [[nodiscard]] std::optional<double> moved_by(const IndexPair& pair, double tolerance) {
-    const auto a = former_.find(models_[pair.first].name), b = former_.find(models_[pair.second].name);
+    const auto a = former_.find(checked_.models[pair.first].name), b = former_.find(checked_.models[pair.second].name);
     if (a == former_.end() || b == former_.end()) return std::nullopt;
     const io::PlacedPair now{of_now(pair.first), of_now(pair.second)};
     const io::PlacedPair then{with_box(*a->second, now.a), with_box(*b->second, now.b)};
@@ -104,7 +104,7 @@ class PlacesSince {
  private:
   const FormerObject& of_now(Index object) {
     const auto found = now_.find(object);
-    return found != now_.end() ? found->second : now_.emplace(object, io::placed(models_[object])).first->second;
+    return found != now_.end() ? found->second : now_.emplace(object, checked_.placed(object)).first->second;
   }
 
   /// Reports of before told no boxes: it had the same.
@@ -113,7 +113,7 @@ class PlacesSince {
     return then;
   }
 
-  std::span<const SceneInstance> models_;
+  const io::Checked& checked_;
   std::map<std::string_view, const FormerObject*> former_;
   std::map<Index, FormerObject> now_;
 };
@@ -127,32 +127,33 @@ bool is_answered(const CheckAnswer& answer, const IndexPair& place) {
 }
 
 /// Why a pair is not in the report.
-GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked) {
+GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& checked, const CheckAnswer& answer) {
   if (!place) return GoneReason::no_object;
   if (io::in_one_group(checked.models[place->first], checked.models[place->second])) return GoneReason::left_out;
   if (checked.rules.wanted && !checked.rules.wanted(*place)) return GoneReason::left_out;
-  return is_answered(checked.answer, *place) ? GoneReason::touching : GoneReason::apart;
+  return is_answered(answer, *place) ? GoneReason::touching : GoneReason::apart;
 }
 
 }  // namespace
 
 namespace io {
 
-void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report) {
+void compare_with(const Baseline& baseline, const Checked& checked, const CheckAnswer& answer, double tolerance,
+                  CheckReport& report) {
   const FormerPairs former(baseline, checked.models);
-  PlacesSince places(baseline, checked.models);
+  PlacesSince places(baseline, checked);
   report.baseline = baseline.file;
   std::set<IndexPair> reported;
   for (ReportedPair& pair : report.pairs) {
     const IndexPair place{pair.a, pair.b};
     const std::optional<double> own = checked.rules.tolerances ? checked.rules.tolerances(place) : std::nullopt;
     pair.was = former.at(place);
-    if (pair.was) pair.moved_by = places.moved_by(place, own.value_or(checked.tolerance));
+    if (pair.was) pair.moved_by = places.moved_by(place, own.value_or(tolerance));
     reported.insert(place);
   }
   for (const FormerPair& pair : baseline.pairs) {
     const std::optional<IndexPair> place = former.place_of(pair);
-    if (!place || !reported.contains(*place)) report.gone.push_back({pair, reason_of(place, checked)});
+    if (!place || !reported.contains(*place)) report.gone.push_back({pair, reason_of(place, checked, answer)});
   }
 }
 

@@ -6,6 +6,7 @@
 #include "io/formats/json_value.hpp"
 #include "query/scenes/check_wanted.hpp"
 #include "toccata/broad/broad_phase.hpp"
+#include "toccata/core/function_ref.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/reports/report.hpp"
 
@@ -13,15 +14,15 @@ namespace toccata::io {
 
 /// What was checked now.
 struct Checked {
-  std::span<const SceneInstance> models;
+  std::span<const SceneInstance> models;  ///< of which names and groups count, and with `by_winding` all else
   const CheckPairRules& rules;
-  const CheckAnswer& answer;
-  double tolerance = 0;  ///< of the pairs that have none of their own
+  FunctionRef<FormerObject(Index model)> placed;  ///< how it lies now; its name does not count
 };
 
 /// Tells of each pair of the report what it was in the baseline and how far it has moved since, and which pairs of that
-/// are gone.
-void compare_with(const Baseline& baseline, const Checked& checked, CheckReport& report);
+/// are gone. The tolerance is that of the pairs that have none of their own.
+void compare_with(const Baseline& baseline, const Checked& checked, const CheckAnswer& answer, double tolerance,
+                  CheckReport& report);
 
 [[nodiscard]] Json json_of(const FormerPair& pair);
 [[nodiscard]] Json json_of(const Baseline& baseline);

@@ -194,9 +194,11 @@ std::vector<double> greatest_lengths(std::span<const LengthRule> rules, const Na
 
 CheckPairRules pair_rules(const NameRules& rules, std::span<const SceneInstance> models) {
   const Names names(models);
-  return {wanted_pairs(rules, names),
-          lengths_of(rules.tolerances, names),
-          {lengths_of(rules.clearances, names), greatest_lengths(rules.clearances, names)}};
+  CheckPairRules result;
+  result.wanted = wanted_pairs(rules, names);
+  result.tolerances = lengths_of(rules.tolerances, names);
+  result.clearances = {lengths_of(rules.clearances, names), greatest_lengths(rules.clearances, names)};
+  return result;
 }
 
 }  // namespace io

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What toccata-check-ranks writes, on several ranks, is what the command writes on one process, to the byte: lines of
-values and JSON, of files of many kinds, with the same warnings and exit codes; and so does the command with --distributed,
-which runs it.
+"""What toccata-check-ranks writes, on several ranks, is what the command writes on one process, to the byte: tables, lines
+of values and JSON, of files of many kinds and units, by rules and against baselines, with the same warnings and exit codes;
+and so does the command with --distributed, which runs it.
 
 check_ranks.py MPIEXEC RANKS TOCCATA TOCCATA_CHECK_RANKS
 """
@@ -117,20 +117,44 @@ def check(is_right, what, *runs):
         TROUBLE.append("\n".join([what, *(f"exit code {one.returncode}\n{one.stdout[:4000]}\n{one.stderr}" for one in runs)]))
 
 
-def compare(files, options, least_lines):
-    for form in ("--csv", "--json"):
-        one = run(COMMAND, "check", *files, *options, form)
-        many = over_ranks(*files, *options) if form == "--csv" else run(MPIEXEC, "-np", RANKS, COMMAND, "check", "--distributed", *files, *options, form)
-        check(one.stdout == many.stdout and one.returncode == many.returncode == 1, f"{options} {form}", one, many)
+def compare(files, options, least_lines, code=1, forms=([], ["--json"])):
+    """The text in each form; returns the JSON of the last."""
+    for form in forms:
+        words = [*files, *options, *form]
+        one = run(COMMAND, "check", *words)
+        many = over_ranks(*words) if form else run(MPIEXEC, "-np", RANKS, COMMAND, "check", "--distributed", *words)
+        check(one.stdout == many.stdout and one.returncode == many.returncode == code, f"{options} {form}", one, many)
         check(one.stdout.count("\n") >= least_lines, f"{options} {form}: too little is told", one)
         check(all(many.stderr.count(line) == 1 for line in one.stderr.splitlines()), f"{options} {form}: warnings", one, many)
     return json.loads(one.stdout)
 
 
+ALL_FORMS = [], ["--csv"], ["--json"]
+
+
+def compare_rules(folder, files):
+    """Rules of names, tolerances and clearances, against what was told before a part went on."""
+    baseline, rules = folder / "before.json", folder / "rules.txt"
+    before = run(COMMAND, "check", *files, "--json", "--penetration")
+    baseline.write_text(before.stdout)
+    for file in range(8):
+        by = 9 if file < 3 else 0.25
+        corner = [float(x) for x in pathlib.Path(files[file]).read_text().splitlines()[0].split()[1:]]
+        write_obj(pathlib.Path(files[file]), [x + by for x in corner], [x + by + 1 for x in corner])
+    rules.write_text("few = */part1*/*, */part2/*\nignore few, */part7*\ntolerance few, few = 0.2\nclearance *part3*, * = 0.4\nignore nobody\n")
+    report = compare(files, ["--rules", str(rules), "--penetration", "--baseline", str(baseline)], 10)
+    since = report["baseline"]
+    check(report["left_out"] > 0 and report["warnings"] and since["moved"] > 0 and since["gone"], f"rules: {since}")
+    report = compare(files, ["--rules", str(rules), "--volume", "--sort", "severity", "--group", "part", "--tolerance", "0.1"], 10)
+    check({"within", "beyond"} <= {pair.get("tolerance") for pair in report["pairs"]} and report["groups"], "tolerances and groups")
+    compare(files, ["--baseline", str(baseline), "--fail-on", "new"], 5)
+    compare(files, ["--between", "*part4*,*part5*", "--clearance", "9", "--fail-on", "hard", "--group", "region", "--precision", "none", "--penetration"], 2, 0)
+
+
 def check_mixed(folder):
     files = write_mixed(folder)
     if not IS_WHOLE:
-        compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20)
+        compare(files, ["--clearance", "0.3", "--clearance-of", "far,ball=9"], 20, forms=ALL_FORMS)
         return
     for solid in ([], ["--solid", "auto"], ["--solid", "none"]):
         compare(files, solid, 20)
@@ -138,20 +162,29 @@ def check_mixed(folder):
     check({"overlapping", "touching", "apart"} <= {pair["relation"] for pair in report["pairs"]}, f"relations in {report['pairs']}")
     warnings = " ".join(report["warnings"])
     check(all(words in warnings for words in ("are open", "closed by --close", "as large as", "states no unit")), f"warnings: {warnings}")
-    compare(files, ["--penetration", "--volume", "--tolerance", "0.05", "--touching", "ignore"], 20)
+    compare(files, ["--penetration", "--volume", "--tolerance", "0.05", "--touching", "ignore"], 20, forms=ALL_FORMS)
     compare([file for file in files if not file.endswith((".json", ".3mf"))], ["--unit", "in", "--scale", "2", "--clearance", "1mm"], 9)
     compare([str(folder), "gen:box"], [], 9)  # the mesh files in it
+    compare(write_units(folder), ["--clearance", "1cm"], 2)
+
+
+def write_units(folder):
+    """Boxes in inches and in millimetres, which become metres."""
+    files = []
+    for unit, half, at in (("in", 1, 0), ("mm", 20, 30), ("in", 1, 4)):
+        files.append(str(folder / f"{unit}{at}.json"))
+        box = {"name": unit, "generate": "box", "parameters": {"half-x": half, "half-y": half, "half-z": half}, "pose": {"translation": [at, 0, 0]}}
+        pathlib.Path(files[-1]).write_text(json.dumps({"format": "toccata-scene", "version": 1, "unit": unit, "objects": [box]}))
+    return files
 
 
 def check_refusals(folder, files):
     broken = folder / "broken.obj"
     broken.write_text("v 0 0 zero\n")
-    of_units = []
-    for unit in ("in", "mm"):
-        of_units.append(str(folder / f"{unit}.json"))
-        scene = {"format": "toccata-scene", "version": 1, "unit": unit, "objects": [{"name": unit, "generate": "box"}]}
-        pathlib.Path(of_units[-1]).write_text(json.dumps(scene))
-    for words, told in (([*files, str(broken)], "broken.obj"), (of_units, "over ranks files of one unit are compared"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
+    of_units = write_units(folder)
+    for words, told in (([*files, str(broken)], "broken.obj"), ([*of_units, files[0]], "say with --unit what its numbers are"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
+                        ([*files, "--ignore", "*"], "nothing would be checked"), ([*files, "--baseline", str(broken)], "broken.obj"), ([*files, "--fail-on", "new"], "--baseline"), ([*files, "--precision", "0.2"], "--penetration"),
+                        ([*files, "--faces"], "--faces"), ([*files, "--solid", "by-winding"], "--solid"),
                         ([*files, "--clearance", "2mm"], "--clearance"), (files[:1], "a check needs two"), ([*files, "--unit", "inch"], "inch"),
                         ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html")):
         many = over_ranks(*words)
@@ -165,10 +198,11 @@ def main():
         files = write_boxes(folder)
         all_options = [], ["--clearance", "0.3"], ["--touching", "ignore", "--solid", "none"], ["--penetration", "--volume"]
         for options in all_options if IS_WHOLE else all_options[-1:]:
-            compare(files, options, 10)
+            compare(files, options, 10, forms=ALL_FORMS if options == all_options[0] else ([], ["--json"]))
         check_mixed(folder / "mixed")
         if IS_WHOLE:
             check_refusals(folder, files)
+            compare_rules(folder, files)
     print("\n".join(TROUBLE) or f"{RANKS} ranks write the same bytes")
     return 1 if TROUBLE else 0
 

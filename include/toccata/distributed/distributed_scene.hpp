@@ -12,6 +12,9 @@
 
 namespace toccata {
 
+struct CheckPairRules;  // of the library's own programs
+struct WantedAnswer;
+
 /// Reads a part of a scene, as a file: its models at their places. Called once to look at the part, and
 /// again by each rank that needs it; it returns the same each time. What it throws is thrown on all ranks.
 using ReadPart = std::function<std::vector<SceneInstance>(std::size_t part)>;
@@ -50,6 +53,8 @@ class DistributedScene {
   [[nodiscard]] int rank() const;
 
  private:
+  friend WantedAnswer check_wanted(DistributedScene& scene, const CheckOptions& options, const CheckPairRules& rules);
+
   class State;
   std::unique_ptr<State> state_;
 };

@@ -134,7 +134,8 @@ class Check {
   /// By the clearance of all, if it is wanted.
   [[nodiscard]] bool is_checked(const IndexPair& pair) const {
     const bool share_group = groups_[pair.first] != 0 && groups_[pair.first] == groups_[pair.second];
-    return !share_group && !clearances_.of_pairs().contains({pair.first, pair.second});
+    const bool is_here = !rules_.here || rules_.here(pair);
+    return is_here && !share_group && !clearances_.of_pairs().contains({pair.first, pair.second});
   }
 
   [[nodiscard]] std::vector<std::optional<PairAnswer>> answers_of(std::span<const IndexPair> pairs,

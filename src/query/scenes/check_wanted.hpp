@@ -23,6 +23,7 @@ struct RuleClearances {
 /// What rules say of pairs. What is empty says nothing.
 struct CheckPairRules {
   PairFilter wanted{};       ///< which are looked at; empty: all
+  PairFilter here{};         ///< of which that is asked at all; empty: of all. Others are counted nowhere
   PairLengths tolerances{};  ///< in place of that of all pairs
   RuleClearances clearances{};
 };

@@ -13,7 +13,9 @@
 #include "reports/clash_groups.hpp"
 #include "reports/glb/glb_findings.hpp"
 #include "reports/name_rules.hpp"
+#include "reports/pair_motion.hpp"
 #include "reports/pair_order.hpp"
+#include "reports/questions/found_report.hpp"
 #include "reports/questions/question_kinds.hpp"
 #include "reports/questions/question_parts.hpp"
 #include "reports/view/finding_layers.hpp"
@@ -321,6 +323,39 @@ void require_wanted(std::span<const PairClearance> clearances, const PairFilter&
   }
 }
 
+}  // namespace
+
+namespace io {
+
+CheckPairRules rules_of(const CheckQuestion& question, std::span<const SceneInstance> models) {
+  if (!question.rules.empty() && !leave_a_pair(question.rules, models))
+    throw Error("nothing would be checked: the rules leave no pair of two objects");
+  CheckPairRules rules = pair_rules(question.rules, models);
+  require_wanted(question.pair_clearances, rules.wanted, models);
+  return rules;
+}
+
+CheckReport report_on(const CheckQuestion& question, const Checked& checked, const WantedAnswer& found) {
+  CheckReport report = make_check_report(checked.models, found.answer, question);
+  report.unfinished = found.unfinished;
+  if (question.by_winding && report.unfinished == 0)
+    add_contained_by_winding(checked.models, checked.rules.wanted, report);
+  if (checked.rules.wanted) report.left_out = found.left_out;
+  if (question.baseline)
+    compare_with(*question.baseline, checked, found.answer, question.tolerance.value_or(0), report);
+  // What was not looked at is not known to be apart.
+  if (report.unfinished > 0)
+    std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
+  if (question.order == PairOrder::severity) sort_by_severity(report.pairs);
+  report.grouping = question.grouping;
+  report.groups = clash_groups(report.pairs, question.grouping);
+  return report;
+}
+
+}  // namespace io
+
+namespace {
+
 /// Those who look on, by the pairs that will be reported.
 CheckWatch watch_of(const CheckQuestion& question, const io::Asking& asking) {
   CheckWatch watch{asking.options.stop, {}};
@@ -392,26 +427,10 @@ struct CheckKind {
     CheckOptions options = check_all_options(question);
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
-    if (!question.rules.empty() && !leave_a_pair(question.rules, asking.models))
-      throw Error("nothing would be checked: the rules leave no pair of two objects");
-    const CheckPairRules rules = io::pair_rules(question.rules, asking.models);
-    require_wanted(question.pair_clearances, rules.wanted, asking.models);
+    const CheckPairRules rules = io::rules_of(question, asking.models);
     const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking));
-    CheckReport report = make_check_report(asking.models, found.answer, question);
-    report.unfinished = found.unfinished;
-    if (question.by_winding && report.unfinished == 0)
-      io::add_contained_by_winding(asking.models, rules.wanted, report);
-    if (rules.wanted) report.left_out = found.left_out;
-    if (question.baseline)
-      io::compare_with(*question.baseline, {asking.models, rules, found.answer, question.tolerance.value_or(0)},
-                       report);
-    // What was not looked at is not known to be apart.
-    if (report.unfinished > 0)
-      std::erase_if(report.gone, [](const GonePair& pair) { return pair.reason == GoneReason::apart; });
-    if (question.order == PairOrder::severity) io::sort_by_severity(report.pairs);
-    report.grouping = question.grouping;
-    report.groups = io::clash_groups(report.pairs, question.grouping);
-    return report;
+    const auto placed = [&](Index model) { return io::placed(asking.models[model]); };
+    return io::report_on(question, {asking.models, rules, placed}, found);
   }
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
