@@ -110,6 +110,23 @@ def check_ways(checks, browser, pairs):
     browser.value("document.getElementById('tab-findings').click()")
 
 
+def check_slow_frames(checks, browser, moving):
+    """Three slow frames in turn, and less is drawn from there on; never less than the least."""
+    def after(*waits):  # before the browser gives a frame
+        told = "[toccata.stage.level, toccata.stage.renderer.info.render.triangles, toccata.stage.renderer.info.render.points, toccata.stage.canvas.width]"
+        return browser.value(f"({moving}, toccata.stage.setLevel(0), {''.join(f'toccata.stage.waited({wait}), ' for wait in waits)}toccata.stage.drawNow(), {told})")
+    level, triangles, points, width = after(100, 100, 10, 100, 100)
+    checks.expect(level == 0 and points == CLASHES, f"a quick frame between slow ones is enough: {level}")
+    slower = after(100, 100, 100)
+    checks.expect(slower[0] == 1 and 500 < slower[1] < triangles and slower[2] == points / 2 and slower[3] < width, f"after slow frames: {slower} for {triangles}")
+    slowest = after(*[100] * 20)
+    checks.expect(slowest[0] == 2 and slowest[1] < slower[1] and slowest[2] == points / 4, f"the last level stays: {slowest}")
+    sides = "[...new Set(toccata.objects.closedMaterials.map(material => material.side))]"
+    checks.expect(browser.value(sides) == [0], "without the backs of closed meshes")
+    browser.wait_for("toccata.stage.isWhole")
+    checks.expect(browser.value(sides) == [2], "and with them when it rests")
+
+
 def check_picture(checks, browser):
     """None chosen: a point for each clash. While the picture moves fewer triangles are drawn, and all when it rests."""
     browser.value("toccata.choose(undefined)")
@@ -128,8 +145,9 @@ def check_picture(checks, browser):
     checks.expect(500 < fewer < TRIANGLES / 4 and not is_whole, f"while it moves: {fewer} triangles")
     checks.expect(narrow <= width / 2 + 1, f"and half as fine: {narrow} of {width}")
     checks.expect(under is not None and browser.value(f"({moving}, {hit})") == under, "what is under a place is told by all triangles")
+    check_slow_frames(checks, browser, moving)
     browser.wait_for(whole)
-    checks.expect(browser.value(f"[{triangles}, toccata.stage.canvas.width]") == [TRIANGLES, width], "all again when it rests")
+    checks.expect(browser.value(f"[{triangles}, toccata.stage.canvas.width, toccata.stage.renderer.info.render.points]") == [TRIANGLES, width, CLASHES], "all again when it rests")
     browser.value(f"({moving}, toccata.stage.drawAll())")
     checks.expect(browser.value(f"[{triangles}, {whole}]") == [TRIANGLES, True], "a picture that is saved has all of them")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures how long pages of `view` take from their address to a picture of what is on them.
+"""Measures how long pages of `view` take from their address to a picture of what is on them, and how many frames a second it has while it turns.
 
 usage: measure_drawing.py TOCCATA [--page two|million|clashes] [--mesh MESH] [--size 1200x800] [--runs N] [--json]
 
@@ -29,6 +29,17 @@ MILLION = "gen:uv-sphere?around=1000&along=501"
 RACK = types.SimpleNamespace(layers=25, pipes=20, around=12, along=80)  # 500 pipes, 9,600 clashes
 DRAWN = "window.toccata && toccata.stage.drawn > 0"
 WHOLE = "toccata.stage.isWhole"
+# With each frame that the browser gives, as a hand turns it, for so many milliseconds.
+TURNED = """new Promise((done) => {
+  const { stage } = toccata, from = performance.now(), drawn = stage.drawn;
+  const step = () => {
+    const took = performance.now() - from;
+    if (took > %d) return done((1000 * (stage.drawn - drawn)) / took);
+    stage.orbit.turn(0.01, 0.002);
+    requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+})"""
 LEAST_SHARE = 0.005  # of the picture, for each of the two colours
 
 
@@ -62,6 +73,10 @@ def wait_for_rest(process):
         before = now
 
 
+def turned(browser, milliseconds):
+    return browser.call("Runtime.evaluate", expression=TURNED % milliseconds, awaitPromise=True, returnByValue=True)["result"]["value"]
+
+
 def opened_once(page, size):
     width, height = size
     with Browser(width, height) as browser:
@@ -77,13 +92,15 @@ def opened_once(page, size):
         picture = browser.call("Page.captureScreenshot", format="png")["data"]
         wall = time.monotonic() - started
         processor = processor_seconds(browser.process.pid) - before
+        turned(browser, 1500)  # until it is known what can be drawn while it moves
+        frames = turned(browser, 3000)
         complaints = browser.complaints()
         rows = browser.rows_of(picture)
     if complaints:
         raise RuntimeError(f"{page.name}: {complaints}")
     if (len(rows[0]), len(rows)) != size:
         raise RuntimeError(f"{page.name}: the picture is of {len(rows[0])}x{len(rows)} points")
-    return {"drawn_s": drawn, "first_processor_s": of_first, "picture_s": wall, "processor_s": processor, "blue": share(rows, is_blue), "orange": share(rows, is_orange)}
+    return {"drawn_s": drawn, "first_processor_s": of_first, "picture_s": wall, "processor_s": processor, "frames_per_s": frames, "blue": share(rows, is_blue), "orange": share(rows, is_orange)}
 
 
 def width_of(command, mesh):
@@ -120,7 +137,7 @@ def write_clashes(command, folder):
 def measured(command, name, meshes, shift, arguments, folder):
     page, what = write_page(command, name, *meshes, shift, folder) if meshes else write_clashes(command, folder)
     runs = [opened_once(page, arguments.size) for _ in range(arguments.runs)]
-    median = {key: statistics.median(run[key] for run in runs) for key in ["drawn_s", "first_processor_s", "picture_s", "processor_s"]}
+    median = {key: statistics.median(run[key] for run in runs) for key in ["drawn_s", "first_processor_s", "picture_s", "processor_s", "frames_per_s"]}
     shown = all(min(run["blue"], run["orange"]) >= LEAST_SHARE for run in runs)
     return {"page": name, **what, **median, "least_s": min(run["picture_s"] for run in runs), "most_s": max(run["picture_s"] for run in runs), "both_seen": shown}
 
@@ -149,7 +166,7 @@ def arguments_of(words):
 def row_of(result):
     seen = "" if result["both_seen"] else "  NOT BOTH ARE SEEN"
     return (f"{result['page']:<10}{result['triangles']:>11,}{result['face_pairs']:>12,}{result['megabytes']:>8.2f}{result['drawn_s']:>10.2f}{result['first_processor_s']:>13.2f}"
-            f"{result['picture_s']:>11.2f}{result['least_s']:>8.2f}{result['most_s']:>8.2f}{result['processor_s']:>13.2f}{seen}")
+            f"{result['picture_s']:>11.2f}{result['least_s']:>8.2f}{result['most_s']:>8.2f}{result['processor_s']:>13.2f}{result['frames_per_s']:>10.1f}{seen}")
 
 
 def main():
@@ -167,7 +184,7 @@ def main():
         print(json.dumps({"schema": "toccata/bench/drawing/1", "mesh": arguments.mesh, "size": arguments.size, "runs": arguments.runs, "pages": results}, indent=1))
     else:
         print(f"{arguments.size[0]}x{arguments.size[1]}, median of {arguments.runs}, a fresh Chromium each, seconds")
-        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'of processor':>13}{'picture':>11}{'least':>8}{'most':>8}{'of processor':>13}")
+        print(f"{'page':<10}{'triangles':>11}{'face pairs':>12}{'MB':>8}{'drawn':>10}{'of processor':>13}{'picture':>11}{'least':>8}{'most':>8}{'of processor':>13}{'frames/s':>10}")
         print("\n".join(map(row_of, results)))
     return 0 if all(result["both_seen"] for result in results) else 1
 

@@ -2,16 +2,27 @@
 // mesh in cells, the vertices of each cell as one, and the triangles that are left.
 import { BufferAttribute, BufferGeometry } from 'three';
 
-/// How many triangles of all objects together are drawn while they move, and from how many on there is something coarse.
-export const detail = { whenMoving: 24_000, heavy: 300_000 };
+/// From how many triangles of all objects together on there is something coarse.
+export const heavy = 300_000;
+
+/// What is drawn while the picture moves: about so many triangles of all objects together, such a share of many points, how fine
+/// on the screen, and whether the backs of closed meshes, too. Each is for what is too slow for the one before.
+export const levels = [
+  { triangles: 24_000, points: 1, fineness: 1 / 2, backs: true },
+  { triangles: 10_000, points: 1 / 2, fineness: 1 / 3, backs: true },
+  { triangles: 4_000, points: 1 / 4, fineness: 1 / 4, backs: false },
+];
 
 export type Numbers = Float32Array | Uint16Array;
 
-/// The number of each vertex's cell, and the first vertex of each cell that has some; there are `cells` along each side of the box.
+/// So few cells have vertices that lie far apart, and the outermost stands for all, so that what is long stays so.
+const fewCells = 3;
+
+/// The number of each vertex's cell, and a vertex of each cell that has some; there are `cells` along each side of the box.
 function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: number): { of: Uint32Array; first: number[] } {
   const scale = [0, 1, 2].map((axis) => (upper[axis] > lower[axis] ? cells / (upper[axis] - lower[axis]) : 0));
   const numberOf = new Int32Array(cells ** 3).fill(-1);
-  const first: number[] = [];
+  const first: number[] = [], howFar: number[] = [];
   const of = new Uint32Array(numbers.length / 3);
   for (let vertex = 0; vertex < of.length; ++vertex) {
     let place = 0;
@@ -21,6 +32,12 @@ function cellsOf(numbers: Numbers, lower: number[], upper: number[], cells: numb
     }
     if (numberOf[place] < 0) numberOf[place] = first.push(vertex) - 1;
     of[vertex] = numberOf[place];
+    if (cells > fewCells) continue;
+    let far = 0; // from the middle of the box
+    for (let axis = 0; axis < 3; ++axis) far += Math.abs((numbers[3 * vertex + axis] - lower[axis]) * scale[axis] - cells / 2);
+    if (far <= (howFar[of[vertex]] ?? 0)) continue;
+    first[of[vertex]] = vertex;
+    howFar[of[vertex]] = far;
   }
   return { of, first };
 }
@@ -43,7 +60,7 @@ function firstTold(cells: number): (a: number, b: number, c: number) => boolean 
 export function coarseOf(geometry: BufferGeometry, triangles: number): BufferGeometry {
   const { min, max } = geometry.boundingBox!;
   // A surface that fills its box meets some 4n² of n³ cells.
-  const cells = Math.min(200, Math.max(3, Math.round(Math.sqrt(triangles / 4))));
+  const cells = Math.min(200, Math.max(2, Math.round(Math.sqrt(triangles / 4))));
   const { of, first } = cellsOf(geometry.getAttribute('position').array as Numbers, min.toArray(), max.toArray(), cells);
   const corners = geometry.getIndex()!.array;
   const kept: number[] = [];

@@ -1,5 +1,5 @@
 // How objects are drawn: copies of one mesh, or many small ones joined.
-import { BufferAttribute, BufferGeometry, Color, InstancedMesh, Matrix3, Matrix4, Mesh, Sphere, Vector3, type Intersection, type Material, type Object3D } from 'three';
+import { BufferAttribute, BufferGeometry, Color, InstancedMesh, Matrix3, Matrix4, Mesh, Sphere, Vector3, type Intersection, type Material } from 'three';
 import { coarseOf, type Numbers } from './coarse';
 
 export interface Member {
@@ -10,7 +10,7 @@ export interface Member {
 
 /// What draws some objects in one call for those that are shown, and one for ghosts.
 export interface Drawing {
-  readonly drawn: Object3D;
+  readonly drawn: Mesh;
   fill(isDrawn: (object: number) => boolean, colourOf: (object: number) => number): void;
   objectAt(hit: Intersection): number;
   prepareRays(): void;
@@ -20,7 +20,7 @@ export interface Drawing {
 
 const trianglesOf = (geometry: BufferGeometry) => (geometry.getIndex()?.count ?? 0) / 3;
 
-const fewest = 24; // triangles, below which a mesh stays what it is
+const fewest = 12; // triangles, below which a mesh stays what it is
 
 /// The mesh itself, where it has few triangles or most of them are wanted.
 function withShare(geometry: BufferGeometry, share: number): BufferGeometry {
@@ -33,7 +33,7 @@ export class Copies implements Drawing {
   readonly drawn: InstancedMesh;
   private listed: number[] = [];
   private readonly whole: BufferGeometry;
-  private coarse: BufferGeometry | undefined; // made when it is first drawn
+  private coarse: { share: number; geometry: BufferGeometry } | undefined; // made when it is first drawn
 
   constructor(
     private readonly members: Member[],
@@ -69,7 +69,8 @@ export class Copies implements Drawing {
   }
 
   setCoarse(share: number | undefined): void {
-    this.drawn.geometry = share === undefined ? this.whole : (this.coarse ??= withShare(this.whole, share));
+    if (share !== undefined && this.coarse?.share !== share) this.coarse = { share, geometry: withShare(this.whole, share) };
+    this.drawn.geometry = share === undefined ? this.whole : this.coarse!.geometry;
   }
 
   prepareRays(): void {
@@ -85,7 +86,8 @@ export class Crowd {
   readonly normals: BufferAttribute | undefined;
   readonly colours: BufferAttribute;
   readonly firstOf = new Map<number, number>();
-  private readonly coarser = new Map<BufferGeometry, BufferGeometry>();
+  private readonly coarser = new Map<BufferGeometry, BufferGeometry>(); // of about this share
+  private share = 1;
 
   constructor(readonly members: Member[], smooth: boolean) {
     let vertices = 0;
@@ -108,8 +110,10 @@ export class Crowd {
     if (this.normals) this.normals.needsUpdate = true;
   }
 
-  /// With about so much of its triangles: made once.
+  /// With about so much of its triangles: made once, as long as that is what is asked.
   coarse(geometry: BufferGeometry, share: number): BufferGeometry {
+    if (share !== this.share) this.coarser.clear();
+    this.share = share;
     const found = this.coarser.get(geometry) ?? withShare(geometry, share);
     this.coarser.set(geometry, found);
     return found;
@@ -138,6 +142,7 @@ interface Joined {
   geometry: BufferGeometry;
   ends: number[]; // of the triangles of each object that is drawn
   isFilled: boolean;
+  share?: number; // of all triangles
 }
 
 export class CrowdPart implements Drawing {
@@ -177,8 +182,9 @@ export class CrowdPart implements Drawing {
   }
 
   setCoarse(share: number | undefined): void {
-    this.share = share;
     const joined = this.joined[share === undefined ? 'whole' : 'coarse'];
+    if (share !== undefined && share !== joined.share) joined.isFilled = false;
+    this.share = joined.share = share;
     this.drawn.geometry = joined.geometry;
     if (joined.isFilled) return;
     const indices = this.listed.map(({ object, geometry }) => ({

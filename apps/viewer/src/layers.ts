@@ -104,6 +104,16 @@ export function points(numbers: Float32Array, colour: number, over: boolean, siz
   return drawn;
 }
 
+const fewPoints = 500;
+
+/// Of points that are more than a few, such a share is drawn, from all over them.
+export function thinOut(drawn: Object3D, share: number): void {
+  if (!(drawn instanceof Points)) return;
+  const { count } = drawn.geometry.getAttribute('position');
+  if (share === 1 || count <= fewPoints) drawn.geometry.setIndex(null);
+  else drawn.geometry.setIndex(Array.from({ length: Math.floor(share * count) }, (_, i) => Math.floor(i / share)));
+}
+
 /// The triangles of an object that a finding is about.
 const faces: Draw = (layer, { data, objects }, style) => {
   const object = layer.object ?? 0;

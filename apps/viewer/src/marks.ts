@@ -97,9 +97,14 @@ export class Marks {
     at.y = Math.min(Math.max(at.y, edge.y), clientHeight - edge.y);
   }
 
+  private view = ''; // from which the axes are drawn
+
   private placeAxes(): void {
     const e = this.stage.orbit.camera.matrixWorldInverse.elements;
     const ends = [0, 1, 2].map((axis) => ({ axis, x: e[4 * axis] * 32, y: -e[4 * axis + 1] * 32, z: e[4 * axis + 2] }));
+    const view = e.slice(0, 11).join();
+    if (view === this.view) return;
+    this.view = view;
     ends.sort((a, b) => a.z - b.z);
     const parts = ends.map(({ axis, x, y }) => {
       const [tx, ty] = [x * 1.32, y * 1.32];
@@ -116,7 +121,9 @@ export class Marks {
     const { size } = this.header.frame;
     const length = roundLength(Math.min(perPixel * 140 * size, Number.MAX_VALUE));
     const [bar, text] = element('scale').children as unknown as [HTMLElement, HTMLElement];
-    bar.style.width = `${length / size / perPixel}px`;
+    const width = `${Math.round((10 * length) / size / perPixel) / 10}px`;
+    if (bar.style.width === width) return; // what is written is drawn anew, also where it is the same
+    bar.style.width = width;
     text.textContent = lengthText(length, this.unit);
   }
 }

@@ -5,6 +5,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
+  FrontSide,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -20,7 +21,7 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import { detail } from './coarse';
+import { heavy } from './coarse';
 import { Copies, Crowd, CrowdPart, type Drawing, type Member } from './crowd';
 import type { Header, MeshHeader, PageData } from './data';
 import { matrixOf, shownPlace, stored } from './place';
@@ -70,6 +71,7 @@ export class Objects {
   private readonly crowds: Crowd[] = [];
   private readonly moved = new Set<number>(); // since they were drawn
   private readonly solidMaterials: MeshLambertMaterial[] = [];
+  private readonly closedMaterials: MeshLambertMaterial[] = []; // of closed meshes alone, none of which is mirrored
   private readonly triangles: number;
 
   constructor(private readonly data: PageData) {
@@ -113,15 +115,17 @@ export class Objects {
     if (together.size === 0) return;
     const crowd = new Crowd([...together].flat(), smooth);
     this.crowds.push(crowd);
-    this.add({ shown: new CrowdPart(crowd, this.material(smooth, false)), ghost: new CrowdPart(crowd, this.material(smooth, true)) });
+    this.add({ shown: new CrowdPart(crowd, this.material(smooth, false)), ghost: new CrowdPart(crowd, this.material(smooth, true)) }, crowd.members);
   }
 
   private addCopies(members: Member[], smooth: boolean): void {
     if (members.length === 0) return;
-    this.add({ shown: new Copies(members, this.material(smooth, false)), ghost: new Copies(members, this.material(smooth, true)) });
+    this.add({ shown: new Copies(members, this.material(smooth, false)), ghost: new Copies(members, this.material(smooth, true)) }, members);
   }
 
-  private add(drawings: Drawings): void {
+  private add(drawings: Drawings, members: Member[]): void {
+    const isClosed = ({ object, matrix }: Member) => this.data.report.objects[object].closed && matrix.determinant() > 0;
+    if (members.every(isClosed)) this.closedMaterials.push(drawings.shown.drawn.material as MeshLambertMaterial);
     drawings.ghost.drawn.renderOrder = 1;
     this.group.add(drawings.shown.drawn, drawings.ghost.drawn);
     this.drawings.push(drawings);
@@ -153,13 +157,19 @@ export class Objects {
 
   /// Whether there are so many triangles that a program in place of a graphics card takes long to draw them.
   get isHeavy(): boolean {
-    return this.triangles > detail.heavy;
+    return this.triangles > heavy;
   }
 
-  /// Whether all triangles are drawn, or about as many as can be drawn while the picture moves.
-  setDetail(which: 'whole' | 'coarse'): void {
-    const share = which === 'whole' ? undefined : detail.whenMoving / this.triangles;
+  /// About how many triangles of all objects together are drawn (undefined: all), and whether the backs of what is closed are.
+  setDetail(triangles: number | undefined, backs = true): void {
+    const share = triangles === undefined ? undefined : triangles / this.triangles;
     for (const { shown, ghost } of this.drawings) for (const drawing of [shown, ghost]) drawing.setCoarse(share);
+    for (const material of this.closedMaterials) {
+      const side = backs ? DoubleSide : FrontSide;
+      if (material.side === side) continue;
+      material.side = side;
+      material.needsUpdate = true;
+    }
   }
 
   /// One appearance for each object.

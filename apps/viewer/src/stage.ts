@@ -1,15 +1,17 @@
 // The picture: objects, layers, axes and grid, drawn only when something changed.
 import { Color, DirectionalLight, Group, HemisphereLight, Object3D, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Box3 } from 'three';
 import { Orbit } from './camera';
+import { levels } from './coarse';
 import type { Theme } from './colours';
 import { gridLines } from './grid';
-import { discard } from './layers';
+import { discard, thinOut } from './layers';
 import { boxOfBodies, mostBoxes } from './moving';
 import type { Objects } from './objects';
 import type { PageData } from './data';
 
 const patience = 250; // milliseconds of rest, after which all is drawn
 const slow = 40; // milliseconds of a frame
+const tooOften = 3; // slow frames one after the other, while the picture moves
 
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -17,8 +19,13 @@ export class Stage {
   drawn = 0; // frames, for tests
   isWhole = true; // all triangles are drawn, and not fewer while the picture moves
   private isSlow: boolean; // drawing all of them takes too long to be done while it moves
+  private level = 0; // of detail while it moves
+  private slowFrames = 0; // the last ones that moved
+  private asked = 0; // when a frame was asked for
+  private isMoving = false; // the picture has, since the last frame
   private rest = 0; // the timer that waits for the picture to rest
-  private readonly finest = Math.min(2, window.devicePixelRatio); // points of the screen for one of the page's
+  private finest = Math.min(2, window.devicePixelRatio); // points of the screen for one of the page's
+  private readonly isSmooth: boolean; // edges are
   private readonly scene = new Scene();
   private readonly overlays = new Group();
   private grid: Object3D | undefined;
@@ -30,12 +37,15 @@ export class Stage {
     readonly canvas: HTMLCanvasElement,
     private readonly data: PageData,
     private readonly objects: Objects,
+    isPicture: boolean, // and nobody turns it
     private readonly afterDrawing: () => void,
   ) {
-    // What are so many are a few points wide each: smooth edges would take a card that is a program most of its time.
+    // What are so many are a few points wide each: smooth edges would take a card that is a program most of its time. So they would
+    // of heavy meshes, of which twice as many points of the screen are drawn where a card is found to be quick.
     const most = Math.max(mostBoxes(data), data.report.objects?.length ?? 0);
     this.isSlow = objects.isHeavy; // until it is known
-    this.renderer = new WebGLRenderer({ canvas, antialias: most < 10_000, stencil: true });
+    this.isSmooth = most < 10_000 && (isPicture || !objects.isHeavy);
+    this.renderer = new WebGLRenderer({ canvas, antialias: this.isSmooth, stencil: true });
     this.renderer.setPixelRatio(this.finest);
     this.orbit = new Orbit(canvas, data.header.up, () => this.moved());
     if (this.isSlow) this.drawCoarse();
@@ -49,40 +59,76 @@ export class Stage {
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
-  /// Asks for a frame while the picture moves: of fewer triangles and half as fine where all would take too long, until it rests.
+  /// Asks for a frame while the picture moves: of fewer triangles and less fine where all would take too long, until it rests.
   private moved(): void {
     if (this.isSlow) this.drawCoarse();
+    this.isMoving = true;
     this.redraw();
   }
 
   private drawCoarse(): void {
-    if (this.isWhole) {
-      this.objects.setDetail('coarse');
-      this.renderer.setPixelRatio(this.finest / 2);
-    }
+    const wasWhole = this.isWhole;
     this.isWhole = false;
+    if (wasWhole) this.setLevel(this.level);
     window.clearTimeout(this.rest);
     this.rest = window.setTimeout(() => this.drawWhole(), patience);
+  }
+
+  private setLevel(level: number): void {
+    this.level = level;
+    this.slowFrames = 0;
+    this.objects.setDetail(levels[level].triangles, levels[level].backs || this.section !== undefined);
+    this.thinOutLayers();
+    this.renderer.setPixelRatio(this.finest * levels[level].fineness);
+  }
+
+  private thinOutLayers(): void {
+    for (const drawn of this.overlays.children) thinOut(drawn, this.isWhole ? 1 : levels[this.level].points);
+  }
+
+  /// How long a frame that was asked for while the picture moves had to wait for those before it: where that is long again and
+  /// again, less is drawn from here on.
+  waited(milliseconds: number): void {
+    this.slowFrames = milliseconds > slow ? this.slowFrames + 1 : 0;
+    if (this.slowFrames < tooOften) return;
+    if (this.isWhole) {
+      this.isSlow = true;
+      this.drawCoarse();
+    } else if (this.level + 1 < levels.length) this.setLevel(this.level + 1);
   }
 
   private drawWhole(): void {
     if (this.drawn === 0) return this.drawCoarse(); // the first picture comes soon
     if (!this.isWhole) this.renderer.setPixelRatio(this.finest);
-    this.objects.setDetail('whole');
+    this.objects.setDetail(undefined);
     this.isWhole = true;
+    this.thinOutLayers();
+    const took = this.timeOfDrawing();
+    this.isSlow = took > slow;
+    if (this.isSmooth || 4 * took > slow || this.finest === 2) return;
+    this.finest = 2;
+    this.renderer.setPixelRatio(this.finest);
+    this.drawNow();
+  }
+
+  private timeOfDrawing(): number {
     const before = performance.now();
     this.drawNow();
-    const { renderer } = this;
-    const context = renderer.getContext();
+    const context = this.renderer.getContext();
     context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4)); // waits until it is drawn
-    this.isSlow = performance.now() - before > slow;
+    return performance.now() - before;
   }
 
   /// Asks for a frame. However often it is asked, one is drawn.
   redraw(): void {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => this.drawNow());
+    this.asked = performance.now();
+    requestAnimationFrame(() => {
+      if (this.isMoving) this.waited(performance.now() - this.asked);
+      this.isMoving = false;
+      this.drawNow();
+    });
   }
 
   /// With all triangles, now.
@@ -115,6 +161,7 @@ export class Stage {
   setOverlays(drawings: Object3D[]): void {
     for (const old of [...this.overlays.children]) discard(old);
     if (drawings.length > 0) this.overlays.add(...drawings);
+    this.thinOutLayers();
     this.redraw();
   }
 
@@ -133,6 +180,7 @@ export class Stage {
   setSection(plane: Plane | undefined): void {
     this.section = plane;
     this.renderer.clippingPlanes = plane ? [plane] : [];
+    if (!this.isWhole) this.setLevel(this.level);
     this.redraw();
   }
 
@@ -163,8 +211,9 @@ export class Stage {
 
   /// What lies under a place of the page.
   hit(x: number, y: number): { object: number; point: Vector3 } | undefined {
+    if (!this.isWhole) this.objects.setDetail(undefined); // rays meet all triangles, also their backs
     const hit = this.objects.hit(this.rayAt(x, y), (point) => !this.section || this.section.distanceToPoint(point) >= 0);
-    if (!this.isWhole) this.objects.setDetail('coarse'); // rays meet all triangles
+    if (!this.isWhole) this.setLevel(this.level);
     return hit;
   }
 

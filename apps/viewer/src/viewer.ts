@@ -96,7 +96,7 @@ export class Viewer {
     this.motion = header.motion && new Motion(header.motion, data, this.objects);
     this.state.moment = this.chosen?.moment ?? this.state.moment;
     this.goToMoment();
-    this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, () => this.afterDrawing());
+    this.stage = new Stage(element<HTMLCanvasElement>('canvas'), data, this.objects, !state.panels, () => this.afterDrawing());
     this.stage.afterResizing = () => (this.isFramed ? this.frame() : this.stage.orbit.keepClear(this.freePart()));
     this.marks = new Marks(this.stage, header, report.unit);
     this.layerPanel = new LayerPanel(data, this.findings, this.state, () => this.show());
