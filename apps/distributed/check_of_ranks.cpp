@@ -1,6 +1,7 @@
 // mpirun -np N toccata-check-ranks FILE…: what `toccata check FILE…` tells, of scenes that no rank
 // has all of. A program of its own, so that the command needs no MPI.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -11,19 +12,24 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "case_asked.hpp"
 #include "check_command.hpp"
 #include "check_input.hpp"
 #include "check_table.hpp"
 #include "distributed/ranks.hpp"
 #include "distributed/wanted_of_scene.hpp"
+#include "io/formats/tree_bytes.hpp"
 #include "named_files.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
 #include "output.hpp"
 #include "reports/questions/found_report.hpp"
+#include "reports/questions/question_kinds.hpp"
+#include "reports/report_parts.hpp"
 #include "run_ranks.hpp"
 #include "saved.hpp"
 #include "toccata/core/error.hpp"
@@ -42,6 +48,19 @@ constexpr double patience_seconds = 1800;
 struct Arguments : CheckCommand {
   bool costs = false;
 };
+
+/// Throws Error on all ranks where what one of them read is another than on rank 0.
+void require_same(Ranks& ranks, std::string_view own, const char* what) {
+  MessageWriter writer;
+  writer.put(io::checksum_of(own));
+  const std::vector<Bytes> all = ranks.of_all(writer.take());
+  const auto other = std::ranges::find_if(all, [&](const Bytes& one) { return one != all.front(); });
+  if (other != all.end())
+    throw Error(
+        fmt::format("rank {} has other {} than rank 0: all ranks read them, so they have to be the same on all "
+                    "machines, and not from standard input, which rank 0 alone has",
+                    other - all.begin(), what));
+}
 
 /// A file with its models.
 struct PartRead {
@@ -218,6 +237,9 @@ void require_files(const InputArguments& input) {
   if (std::ranges::find(input.files, standard_input) != input.files.end())
     throw Error("standard input (-) is there for one process: over ranks name a file");
   if (!input.cache.empty()) throw Error("over ranks no trees are kept: leave out --cache");
+  if (names_case(input.files))
+    throw Error(fmt::format("{0} holds a question of its own: `toccata check {0}` answers it, in one process",
+                            input.files.front()));
   require_use_of_unit(input);
 }
 
@@ -227,6 +249,7 @@ int check(const Arguments& arguments) {
   require_depths(arguments, arguments.penetration || !arguments.tolerance.empty() || !arguments.rules.files.empty());
   const MpiCommunicator all{MPI_Comm_c2f(MPI_COMM_WORLD)};
   Ranks ranks(all.fortran_handle, patience_seconds);
+  require_same(ranks, fmt::format("{}", fmt::join(arguments.input.files, "\n")), "names of files");
   FilesOverRanks files(ranks, all, arguments);
   DistributedScene& scene = files.scene();
   if (scene.model_count() < 2)
@@ -234,6 +257,7 @@ int check(const Arguments& arguments) {
                             scene.model_count() == 1 ? "there is one object" : "there are no objects"));
   const bool is_first = ranks.rank() == 0;
   const CheckQuestion question = question_about(files, arguments, is_first);
+  require_same(ranks, io::line_of(io::json_of(SceneQuestion(question))), "rules or another baseline");
   CheckOptions options = check_all_options(question);
   options.threads = arguments.threads;
   const CheckPairRules rules = io::rules_of(question, files.told().named);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 #include <thread>
 
 namespace toccata {
@@ -47,8 +48,11 @@ int run_ranks(int count, char** words, const char* program, const std::function<
     code = work();
   } catch (const std::exception& error) {
     // Mostly all ranks have the same to say. Who ends first ends all of them, so the others let rank 0 speak.
-    if (this_rank() != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    const int rank = this_rank();
+    if (rank != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
+    const std::string_view words = error.what();
+    const bool is_told_by_all = rank == 0 || words.starts_with("rank ");
+    fmt::print(stderr, "{}: {}{}\n", program, is_told_by_all ? "" : fmt::format("rank {}: ", rank), words);
     MPI_Abort(MPI_COMM_WORLD, trouble);
   }
   // mpirun ends those that are late once one has ended with another code than 0.

@@ -47,6 +47,8 @@ bool is_question_of(const std::string& question, const std::string& subcommand) 
 
 }  // namespace
 
+bool names_case(const std::vector<std::string>& files) { return case_in(files).has_value(); }
+
 int exit_code_of(const SceneAnswer& answer) {
   return std::visit([](const auto& report) { return summary_of(report).is_found ? 1 : 0; }, answer);
 }

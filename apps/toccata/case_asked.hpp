@@ -27,6 +27,9 @@ struct CaseUse {
 /// Error where it needs options for that, naming the command that answers the case.
 std::optional<int> answered_case(const PosedArguments& arguments, const CaseUse& use, const AlsoWritten& also = {});
 
+/// Whether the only file is a case.
+[[nodiscard]] bool names_case(const std::vector<std::string>& files);
+
 /// 1 where something was found that the subcommand looks for, else 0.
 int exit_code_of(const SceneAnswer& answer);
 

@@ -104,12 +104,12 @@ def write_mixed(folder):
     return [str(folder / name) for name in names] + ["gen:torus?radius=2&tube-radius=0.25"]
 
 
-def run(*words):
-    return subprocess.run(words, capture_output=True, text=True, check=False)
+def run(*words, text=""):
+    return subprocess.run(words, capture_output=True, text=True, check=False, input=text)
 
 
-def over_ranks(*words):
-    return run(MPIEXEC, "-np", RANKS, OVER_RANKS, *words)
+def over_ranks(*words, text=""):
+    return run(MPIEXEC, "-np", RANKS, OVER_RANKS, *words, text=text)
 
 
 def check(is_right, what, *runs):
@@ -181,13 +181,16 @@ def write_units(folder):
 def check_refusals(folder, files):
     broken = folder / "broken.obj"
     broken.write_text("v 0 0 zero\n")
+    case = folder / "case.json"
+    run(COMMAND, "check", *files[:2], "--penetration", "--save-case", str(case))
     of_units = write_units(folder)
     for words, told in (([*files, str(broken)], "broken.obj"), ([*of_units, files[0]], "say with --unit what its numbers are"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
                         ([*files, "--ignore", "*"], "nothing would be checked"), ([*files, "--baseline", str(broken)], "broken.obj"), ([*files, "--fail-on", "new"], "--baseline"), ([*files, "--precision", "0.2"], "--penetration"),
                         ([*files, "--faces"], "--faces"), ([*files, "--solid", "by-winding"], "--solid"),
                         ([*files, "--clearance", "2mm"], "--clearance"), (files[:1], "a check needs two"), ([*files, "--unit", "inch"], "inch"),
-                        ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html")):
-        many = over_ranks(*words)
+                        ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html"),
+                        ([str(case)], "holds a question of its own"), ([*files, "--rules", "/dev/stdin"], "rank 1 has other rules"), (["--names", "/dev/stdin"], "rank 1: --names")):
+        many = over_ranks(*words, text="ignore *part7*\n")
         check(many.returncode == 2 and many.stderr.count(told) == 1 and not many.stdout, f"{words[-2:]}", many)
 
 
