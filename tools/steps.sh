@@ -245,6 +245,12 @@ bench_python() {
   "$environment/bin/python" "$source_folder/apps/bench/python/measure_python.py" --library "$source_folder/build/release" "$@"
 }
 
+# The programs that mpirun starts.
+build_ranks() {
+  install_packages packages packages-mpi
+  (lock_build_folder && configure release -DTOCCATA_WITH_MPI=ON && build release toccata_bench_ranks)
+}
+
 # What Python's batches are compared with, in C++.
 build_library() {
   install_packages packages packages-bench

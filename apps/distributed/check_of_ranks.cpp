@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,6 +24,7 @@
 #include "distributed/ranks.hpp"
 #include "distributed/wanted_of_scene.hpp"
 #include "io/formats/tree_bytes.hpp"
+#include "memory.hpp"
 #include "named_files.hpp"
 #include "number_checks.hpp"
 #include "option_kinds.hpp"
@@ -41,12 +43,10 @@
 namespace toccata::command {
 namespace {
 
-/// For what other ranks read and decide.
-constexpr double patience_seconds = 1800;
-
 /// What is asked over ranks, in the words of `check`.
 struct Arguments : CheckCommand {
   bool costs = false;
+  double patience_seconds = 1800;  ///< for what other ranks read and decide
 };
 
 /// Throws Error on all ranks where what one of them read is another than on rank 0.
@@ -105,6 +105,7 @@ class FilesOverRanks {
   /// Reads a file once more.
   [[nodiscard]] PartRead read(std::size_t part) const {
     const std::string& name = arguments_.input.files[part];
+    require_memory({std::filesystem::path(name)});
     PartRead read{read_file(name, arguments_.input), {}};
     if (!why_metres_.empty()) make_metres(read.file, name, why_metres_);
     if (arguments_.solid)
@@ -126,7 +127,7 @@ class FilesOverRanks {
       }
       return std::move(one.models);
     };
-    scene_.emplace(all, arguments_.input.files.size(), read_and_tell, patience_seconds);
+    scene_.emplace(all, arguments_.input.files.size(), read_and_tell, arguments_.patience_seconds);
     telling_ = nullptr;
     files_.clear();
     told_.objects.clear();
@@ -248,7 +249,7 @@ int check(const Arguments& arguments) {
   require_files(arguments.input);
   require_depths(arguments, arguments.penetration || !arguments.tolerance.empty() || !arguments.rules.files.empty());
   const MpiCommunicator all{MPI_Comm_c2f(MPI_COMM_WORLD)};
-  Ranks ranks(all.fortran_handle, patience_seconds);
+  Ranks ranks(all.fortran_handle, arguments.patience_seconds);
   require_same(ranks, fmt::format("{}", fmt::join(arguments.input.files, "\n")), "names of files");
   FilesOverRanks files(ranks, all, arguments);
   DistributedScene& scene = files.scene();
@@ -269,8 +270,39 @@ int check(const Arguments& arguments) {
   return code_of(report, arguments.fail_on);
 }
 
+/// What one process does alone, and why.
+struct LeftToOne {
+  const char* why;
+  std::vector<const char*> options;
+};
+
+const std::vector<LeftToOne>& left_to_one() {
+  static const std::vector<LeftToOne> all = {
+      {"it takes the shapes of all objects, which no rank has",
+       {"--faces", "--self", "--close", "--html", "--png", "--look", "--size", "--up", "--glb", "--junit", "--sarif",
+        "--bcf", "--bcf-version", "--overlap-bodies"}},
+      {"it asks about two objects, and not about the pairs of a scene", {"--poses", "--pose-a", "--pose-b"}},
+      {"all ranks are heard before anything is told", {"--stream", "--stop-after"}},
+      {"each rank reads its own part", {"--save-case"}},
+  };
+  return all;
+}
+
+/// Options of `check` that are known here, to be refused with the reason.
+void add_refusals(CLI::App& app) {
+  for (const LeftToOne& some : left_to_one())
+    for (const char* option : some.options) {
+      const auto refuse = [option, why = some.why](const CLI::results_t&) -> bool {
+        throw CLI::ValidationError(
+            fmt::format("{} is for one process: {}; leave it out, or leave out --distributed", option, why));
+      };
+      app.add_option(option, refuse)->expected(0, CLI::detail::expected_max_vector_size)->group("");
+    }
+}
+
 void add_options(CLI::App& app, Arguments& arguments) {
   add_input(app, arguments.input, any_files);
+  app.get_option("--cache")->group("");  // it is refused
   add_solid(app, arguments);
   add_pair_questions(app, arguments);
   add_rules_of_clashes(app, arguments);
@@ -280,6 +312,12 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->check(whole_number(0, 1024))
       ->capture_default_str();
   app.add_flag("--costs", arguments.costs, "what each rank had to read and to decide, on the standard error");
+  app.add_option("--patience", arguments.patience_seconds,
+                 "seconds after which ranks that wait for another end with an error")
+      ->check(number_above_0())
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  add_refusals(app);
 }
 
 int main_of(int count, char** words) {

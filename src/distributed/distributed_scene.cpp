@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -41,6 +43,7 @@ class DistributedScene::State {
   }
 
   WantedAnswer check(const CheckOptions& options, const CheckPairRules& rules) {
+    require_same(options);
     const Clearances asked = clearances(options, rules.clearances);
     WantedAnswer found;
     ranks_.all_do([&] {
@@ -63,6 +66,22 @@ class DistributedScene::State {
   [[nodiscard]] const DistributedCheckCosts& costs() const { return costs_; }
 
  private:
+  /// Throws Error on all ranks where one asks something else than rank 0. How many threads it takes is its own matter.
+  void require_same(const CheckOptions& options) {
+    MessageWriter own;
+    for (const bool flag : {options.contacts, options.penetration, options.volume}) own.put(flag);
+    for (const double number : {options.depth.precision, options.depth.time_limit}) own.put(number);
+    for (const std::optional<double>& length : {options.tolerance, options.clearance}) {
+      own.put(length.has_value());
+      own.put(length.value_or(0));
+    }
+    own.put_all(std::span<const PairClearance>(options.pair_clearances));
+    const std::vector<Bytes> all = ranks_.of_all(own.take());
+    const auto other = std::ranges::find_if(all, [&](const Bytes& one) { return one != all.front(); });
+    if (other != all.end())
+      throw Error(fmt::format("rank {} checks with other options than rank 0", other - all.begin()));
+  }
+
   /// A part that was read for its boxes alone.
   void put_known(MessageWriter& writer, const std::vector<SceneInstance>& models) const {
     writer.put(std::uint64_t{models.size()});

@@ -186,9 +186,9 @@ def check_refusals(folder, files):
     of_units = write_units(folder)
     for words, told in (([*files, str(broken)], "broken.obj"), ([*of_units, files[0]], "say with --unit what its numbers are"), ([*files, "--clearance", "nan"], "--clearance"), ([*files, "--threads", "-3"], "--threads"),
                         ([*files, "--ignore", "*"], "nothing would be checked"), ([*files, "--baseline", str(broken)], "broken.obj"), ([*files, "--fail-on", "new"], "--baseline"), ([*files, "--precision", "0.2"], "--penetration"),
-                        ([*files, "--faces"], "--faces"), ([*files, "--solid", "by-winding"], "--solid"),
+                        ([*files, "--faces"], "--faces is for one process"), ([*files, "--poses", "p.txt"], "two objects"), ([*files, "--patience", "0"], "--patience"), ([*files, "--solid", "by-winding"], "--solid"),
                         ([*files, "--clearance", "2mm"], "--clearance"), (files[:1], "a check needs two"), ([*files, "--unit", "inch"], "inch"),
-                        ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html"),
+                        ([*files, "--cache", "trees"], "--cache"), ([*files, "-", "--format", "obj"], "standard input"), ([*files, "--html", "page.html"], "--html is for one process"),
                         ([str(case)], "holds a question of its own"), ([*files, "--rules", "/dev/stdin"], "rank 1 has other rules"), (["--names", "/dev/stdin"], "rank 1: --names")):
         many = over_ranks(*words, text="ignore *part7*\n")
         check(many.returncode == 2 and many.stderr.count(told) == 1 and not many.stdout, f"{words[-2:]}", many)

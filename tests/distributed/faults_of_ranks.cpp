@@ -89,6 +89,27 @@ TEST(FaultsOfRanks, TellOfAPartThatIsGone) {
   EXPECT_EQ(scene.check().pairs.size(), our_ranks().rank() == 0 ? 39U : 0U);
 }
 
+/// The report would be of two questions.
+TEST(FaultsOfRanks, TellThatAScenesOptionsDiffer) {
+  DistributedScene scene(all_ranks(), 4, [](std::size_t part) -> std::vector<SceneInstance> {
+    return {{Box({0.6, 0.6, 0.6}), Pose::translation(static_cast<double>(part), 0, 0)}};
+  });
+  if (last_rank() == 0) return;
+  const auto differ = [&](const auto& change) {
+    CheckOptions options;
+    options.threads = our_ranks().rank() + 1;  // each its own
+    if (our_ranks().rank() == last_rank()) change(options);
+    return message_of([&] { static_cast<void>(scene.check(options)); });
+  };
+  const std::string words = fmt::format("rank {} checks with other options than rank 0", last_rank());
+  EXPECT_EQ(differ([](CheckOptions&) {}), "nothing was thrown");
+  EXPECT_EQ(differ([](CheckOptions& options) { options.clearance = 0; }), words);
+  EXPECT_EQ(differ([](CheckOptions& options) { options.tolerance = 1; }), words);
+  EXPECT_EQ(differ([](CheckOptions& options) { options.volume = true; }), words);
+  EXPECT_EQ(differ([](CheckOptions& options) { options.depth.precision = 0.2; }), words);
+  EXPECT_EQ(differ([](CheckOptions& options) { options.pair_clearances = {{0, 1, 2}}; }), words);
+}
+
 /// The others say so after their patience, and after that at once.
 TEST(FaultsOfRanks, DoNotWaitForEverForARankThatStaysAway) {
   using Clock = std::chrono::steady_clock;
