@@ -148,7 +148,13 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
 }  // namespace
 
 std::string table_of(const CheckInput& input, const CheckReport& report) {
-  return check_table(input.loaded.scene, report);
+  std::string text = check_table(input.loaded.scene, report);
+  if (!input.loaded.scaled_by.empty())
+    text += fmt::format(
+        "Coordinates were multiplied by {} and rounded: slanted faces that touch in the files may be apart or overlap "
+        "by a last digit.\n",
+        input.loaded.scaled_by);
+  return text;
 }
 
 Summary summary_of(const CheckReport& report) {
@@ -163,7 +169,7 @@ std::string table_of(const CheckInput& input, const PosesReport& report) {
     rows.push_back({fmt::format("query {}", i), names[0], verb_of(relation), names[1], remark_on(relation)});
     const bool has_depth = relation.kind != RelationKind::apart;
     if (!report.penetrations.empty())
-      rows.back().push_back(has_depth ? depth_text(report.penetrations[i], report.depth_ends[i]) : "");
+      rows.back().push_back(has_depth ? depth_text(report.penetrations[i], report.depth_ends[i], names[1]) : "");
     if (!report.counts.empty()) rows.back().push_back(counted(report.counts[i].face_pairs, "pair") + " of faces");
   }
   const std::size_t contacts = contact_count(report);

@@ -34,17 +34,25 @@ std::string verb_of(const FormerPair& pair) {
   return pair.kind == RelationKind::apart ? "clearance clash" : verb_of(relation);
 }
 
+/// The depth by which a verdict was come to, as far as it is known.
+std::string deciding_depth(const ReportedPair& pair) {
+  if (pair.local_depth)
+    return pair.tolerance == ToleranceVerdict::within
+               ? fmt::format("nowhere more than {:.6g} deep", pair.local_depth->upper)
+               : fmt::format("{:.6g} deep or more in one place", pair.local_depth->lower);
+  if (pair.penetration) return depth_text(pair.penetration->lower, pair.penetration->upper) + ", by what parts them";
+  return "no depth is known of them";
+}
+
 /// What a tolerance says of the pair.
 std::string tolerance_text(const ReportedPair& pair) {
   switch (pair.tolerance) {
     case ToleranceVerdict::within:
-      return ", within the tolerance: " + depth_text(pair.penetration->lower, pair.penetration->upper);
+      return ", within the tolerance: " + deciding_depth(pair);
     case ToleranceVerdict::beyond:
-      return ", beyond the tolerance: " + depth_text(pair.penetration->lower, pair.penetration->upper);
+      return ", beyond the tolerance: " + deciding_depth(pair);
     case ToleranceVerdict::undecided:
-      return pair.penetration ? ", undecided whether within the tolerance: " +
-                                    depth_text(pair.penetration->lower, pair.penetration->upper)
-                              : ", undecided whether within the tolerance: no depth is known of them";
+      return ", undecided whether within the tolerance: " + deciding_depth(pair);
     case ToleranceVerdict::none:
       break;
   }
@@ -64,8 +72,9 @@ std::string volume_line(const ReportedPair& pair) {
 
 /// As the field calls it, where that says more than the relation.
 std::string verb_of(const ReportedPair& pair) {
-  if (pair.relation.kind == RelationKind::apart && pair.distance) return "clearance clash";
-  if (pair.kind == ClashKind::pierce) return "pierces";
+  if (pair.piercing == ClashPiercing::a_through_b) return "pierces";
+  if (pair.piercing == ClashPiercing::b_through_a) return "is pierced by";
+  if (pair.kind == ClashKind::pierce) return "pierces or is pierced by";
   if (pair.kind == ClashKind::protrude) return "protrudes into";
   return verb_of(pair.relation);
 }
@@ -80,8 +89,8 @@ std::string since_and_before(const ReportedPair& pair, const std::string& verb) 
 std::vector<std::string> row_of(const std::vector<std::string>& names, const ReportedPair& pair,
                                 const CheckReport& report) {
   const bool is_near = pair.relation.kind == RelationKind::apart && pair.distance;
-  const std::string plain = is_near ? "clearance clash" : verb_of(pair.relation);
-  const std::string verb = report.has_volume ? verb_of(pair) : plain;
+  const std::string plain = is_near && is_clash(pair) ? "clearance clash" : verb_of(pair.relation);
+  const std::string verb = report.has_volume && !is_near ? verb_of(pair) : plain;
   const std::string remark = pair.winding ? winding_text(*pair.winding)
                              : is_near    ? near_text(pair)
                                           : remark_on(pair.relation) + tolerance_text(pair);
@@ -197,10 +206,10 @@ std::string element_lines(const std::vector<ContactManifold>& manifolds) {
   return text;
 }
 
-/// How deep they overlap, and a line for each point and region of contact.
-std::string depth_lines(std::span<const TableObject> objects, const ReportedPair& pair) {
+/// How deep they overlap, and a line for each point and region of contact. `b` is the name of the second.
+std::string depth_lines(std::span<const TableObject> objects, const ReportedPair& pair, const std::string& b) {
   if (pair.relation.kind == RelationKind::apart) return {};
-  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end) + "\n"
+  std::string text = "      " + (pair.penetration ? depth_text(*pair.penetration, pair.depth_end, b) + "\n"
                                                   : depth_refusal(objects, pair));
   if (pair.manifold)
     for (int i = 0; i < pair.manifold->count; ++i) text += point_line("contact", *pair.manifold, i);
@@ -213,7 +222,7 @@ std::string pair_text(std::span<const TableObject> objects, const CheckReport& r
   const bool is_apart = pair.relation.kind == RelationKind::apart;
   std::string text = columns({row}, 2);
   if (report.has_volume && !is_apart && pair.relation.kind != RelationKind::touching) text += volume_line(pair);
-  if (report.has_penetration) text += depth_lines(objects, pair);
+  if (report.has_penetration) text += depth_lines(objects, pair, row[row.size() - 2]);
   if (report.has_faces && !is_apart) text += face_lines(pair.face_pairs);
   return text;
 }
@@ -253,11 +262,17 @@ std::string tolerance_lines(const Scene& scene, const CheckReport& report) {
                                                   [&](const ReportedPair& pair) { return pair.tolerance == verdict; }));
   };
   const std::size_t within = count(ToleranceVerdict::within);
-  std::string text = fmt::format(
-      "{} within {}, by the upper bounds of their depths", within == 0 ? "No pair is" : counted(within, "pair"),
-      *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
-                            : std::string("a tolerance"));
-  if (within > 0) text += ": no clash";
+  const auto by_place =
+      static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
+        return pair.tolerance == ToleranceVerdict::within && pair.local_depth;
+      }));
+  std::string text =
+      fmt::format("{} within {}", within == 0 ? "No pair is" : counted(within, "pair"),
+                  *report.tolerance > 0 ? "the tolerance of " + length_text(*report.tolerance, scene.unit)
+                                        : std::string("a tolerance"));
+  if (within == 0) text += ", by its deepest place or by what parts the two";
+  if (within > 0)
+    text += fmt::format(": {} by the deepest place, {} by what parts the two: no clash", by_place, within - by_place);
   if (const std::size_t undecided = count(ToleranceVerdict::undecided); undecided > 0)
     text += fmt::format("; of {} that could not be decided", counted(undecided, "pair"));
   return text + ".\n";

@@ -20,7 +20,9 @@ namespace {
 
 /// How many of the findings are no clash.
 std::string within_text(const CheckReport& report) {
-  const auto within = std::count_if(report.pairs.begin(), report.pairs.end(), std::not_fn(is_clash));
+  const auto within = std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
+    return pair.tolerance == ToleranceVerdict::within;
+  });
   return within == 0 ? "" : fmt::format(", {} of them within the tolerance", within);
 }
 

@@ -79,13 +79,17 @@ std::optional<Place> told_place(const Scene& scene, const ReportedPair& pair) {
   return box ? std::optional(place_named("the one inside lies", *box)) : std::nullopt;
 }
 
-/// What a tolerance makes of the pair; empty where there is none.
-std::string verdict_text(ToleranceVerdict verdict) {
-  switch (verdict) {
+/// What a tolerance makes of the pair, and by which depth; empty where there is none.
+std::string verdict_text(const ReportedPair& pair) {
+  switch (pair.tolerance) {
     case ToleranceVerdict::within:
-      return ", within the tolerance: no clash";
+      return pair.local_depth ? fmt::format(", nowhere more than {:.6g} deep, within the tolerance: no clash",
+                                            pair.local_depth->upper)
+                              : ", within the tolerance: no clash";
     case ToleranceVerdict::beyond:
-      return ", beyond the tolerance";
+      return pair.local_depth
+                 ? fmt::format(", {:.6g} deep or more in one place, beyond the tolerance", pair.local_depth->lower)
+                 : ", beyond the tolerance";
     case ToleranceVerdict::undecided:
       return ", undecided whether within the tolerance";
     case ToleranceVerdict::none:
@@ -113,7 +117,7 @@ std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
     return fmt::format("{} and {} are nearer than their clearance: {}", a, b, distance_text(*pair.distance));
   const bool is_deep = pair.penetration && pair.penetration->upper > 0;
   return fmt::format("{} {} {}{}{} {}", a, verb_of(pair.relation), b,
-                     is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end) : "", verdict_text(pair.tolerance),
+                     is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end, b) : "", verdict_text(pair),
                      pair.winding ? winding_text(*pair.winding) : remark_on(pair.relation));
 }
 

@@ -231,6 +231,13 @@ void append(Scene& whole, const Scene& part, const std::string& file, bool file_
   }
 }
 
+/// What --unit and --scale multiply coordinates by, where that rounds them: by no power of two.
+std::string rounding_factor(const InputArguments& input) {
+  const double factor = (input.unit.empty() ? 1 : metres_per_unit(input.unit)) * input.scale;
+  int exponent = 0;
+  return std::frexp(factor, &exponent) == 0.5 ? "" : fmt::format("{}", factor);
+}
+
 template <std::size_t count>
 std::array<double, count> parse_doubles(const std::vector<std::string>& words, const std::string& option,
                                         std::string_view what) {
@@ -313,7 +320,9 @@ LoadedScene joined(const InputArguments& input, const std::map<std::string, Conv
 LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   require_use_of_unit(input);
-  return joined(input, read_all(input));
+  LoadedScene loaded = joined(input, read_all(input));
+  loaded.scaled_by = rounding_factor(input);
+  return loaded;
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {

@@ -20,6 +20,8 @@ struct LoadedScene {
   std::vector<std::string> warnings;
   std::vector<std::string> units{};  ///< of each file; the scene has that of the first
   std::size_t told_warnings = 0;     ///< so many of the first warnings have been printed
+  std::string scaled_by{};  ///< what the coordinates of a file were multiplied by and rounded, as --unit and --scale
+                            ///< say; empty where that changed no digit
 };
 
 /// Closes the gaps of the open meshes as --close says, and warns of each what was done. Throws Error for what is no

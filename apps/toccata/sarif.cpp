@@ -70,6 +70,7 @@ SarifJson result_of(const Findings& findings, const ReportedPair& pair) {
   }
   SarifJson properties = {{"relation", name_of(pair.relation.kind)}, {"status", name_of(pair.relation.status)}};
   if (pair.tolerance != ToleranceVerdict::none) properties["tolerance"] = name_of(pair.tolerance);
+  if (const std::string by = tolerance_decided_by(pair); !by.empty()) properties["tolerance_by"] = by;
   add_numbers(properties, pair);
   result["properties"] = std::move(properties);
   return result;

@@ -53,8 +53,8 @@ std::string depth_text(double lower, double upper) {
   return (least == most ? most : least + " to " + most) + " deep";
 }
 
-std::string depth_text(const Penetration& penetration, DepthEnd end) {
-  std::string text = depth_text(penetration);
+std::string depth_text(const Penetration& penetration, DepthEnd end, const std::string& moved) {
+  std::string text = depth_text(penetration) + (penetration.upper == 0 ? "" : ", moving " + moved);
   switch (end) {
     case DepthEnd::precise:
       break;

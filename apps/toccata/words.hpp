@@ -24,8 +24,8 @@ std::string nearest_text(const Distance& distance);
 /// "0.25 deep along (0, 0, 1)"; of two that do not overlap "0 deep".
 std::string depth_text(const Penetration& penetration);
 
-/// The same, with why its bracket is wider than asked, where it is.
-std::string depth_text(const Penetration& penetration, DepthEnd end);
+/// The same, with which of the two is moved along it, and why its bracket is wider than asked, where it is.
+std::string depth_text(const Penetration& penetration, DepthEnd end, const std::string& moved);
 
 /// What is said of a pair that a winding number decided, in place of what both are taken for.
 std::string winding_text(const WindingNumber& winding);

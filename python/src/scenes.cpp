@@ -76,6 +76,7 @@ struct CheckedPair {
   Relation relation{};
   PairAnswer::Kind clash{};
   PairAnswer::Tolerance tolerance{};
+  PairAnswer::Piercing piercing{};
 };
 
 }  // namespace
@@ -84,13 +85,24 @@ template <>
 struct Described<CheckedPair> {
   static constexpr const char* name = "CheckedPair";
   static constexpr const char* doc = "Two objects that are not apart, or are nearer than their clearance.";
-  static constexpr auto fields =
-      std::tuple_cat(std::tuple{field<CheckedPair, &CheckedPair::a>("a", "The index of the first."),
-                                field<CheckedPair, &CheckedPair::b>("b", "That of the second, which is greater.")},
-                     fields_within<CheckedPair, &CheckedPair::relation>(Described<Relation>::fields),
-                     std::tuple{field<CheckedPair, &CheckedPair::clash>("clash", "What it is called (ClashKind)."),
-                                field<CheckedPair, &CheckedPair::tolerance>(
-                                    "tolerance", "How an overlap stands to the tolerance (ClashTolerance).")});
+  static constexpr auto fields = std::tuple_cat(
+      std::tuple{field<CheckedPair, &CheckedPair::a>("a", "The index of the first."),
+                 field<CheckedPair, &CheckedPair::b>("b", "That of the second, which is greater.")},
+      fields_within<CheckedPair, &CheckedPair::relation>(Described<Relation>::fields),
+      std::tuple{
+          field<CheckedPair, &CheckedPair::clash>("clash", "What it is called (ClashKind)."),
+          field<CheckedPair, &CheckedPair::tolerance>("tolerance",
+                                                      "How an overlap stands to the tolerance (ClashTolerance)."),
+          field<CheckedPair, &CheckedPair::piercing>("piercing", "Which passes through the other (ClashPiercing).")});
+};
+
+template <>
+struct Described<ContactRegion::Depth> {
+  using Depth = ContactRegion::Depth;
+  static constexpr const char* name = "LocalDepth";
+  static constexpr const char* doc = "How deep two meshes are in each other where they are deepest.";
+  static constexpr std::tuple fields{field<Depth, &Depth::lower>("lower", "In the unit of the coordinates."),
+                                     field<Depth, &Depth::upper>("upper", "The same; infinite where not looked for.")};
 };
 
 std::vector<SceneInstance> instances_of(nb::handle given, std::string_view what) {
@@ -216,7 +228,7 @@ constexpr double most_index = std::numeric_limits<Index>::max();
 std::vector<CheckedPair> pairs_of(const CheckAnswer& answer) {
   std::vector<CheckedPair> pairs;
   for (const PairAnswer& pair : answer.pairs)
-    pairs.push_back({pair.a, pair.b, pair.relation, pair.kind, pair.tolerance});
+    pairs.push_back({pair.a, pair.b, pair.relation, pair.kind, pair.tolerance, pair.piercing});
   return pairs;
 }
 
@@ -276,6 +288,12 @@ void bind_clashes(nb::module_& module) {
       .value("within", Tolerance::within, "Certainly no deeper.")
       .value("beyond", Tolerance::beyond, "Certainly deeper.")
       .value("undecided", Tolerance::undecided, "Its bracket holds the tolerance, or there is no depth.");
+  using Piercing = PairAnswer::Piercing;
+  nb::enum_<Piercing>(module, "ClashPiercing", nb::is_arithmetic(), "Which of two passes through the other.")
+      .value("none", Piercing::none, "Neither, or the volume was not asked for.")
+      .value("unknown", Piercing::unknown, "One does, and which could not be told.")
+      .value("a_through_b", Piercing::a_through_b)
+      .value("b_through_a", Piercing::b_through_a);
 }
 
 void bind_check_answer(nb::module_& module) {
@@ -289,8 +307,8 @@ Everything is told in structured arrays; where one has a field pair, that counts
       .def("__len__", [](const CheckAnswer& answer) { return answer.pairs.size(); })
       .def_prop_ro(
           "pairs", [](const CheckAnswer& answer) { return structured(pairs_of(answer)); },
-          "a, b, the members of Relation, clash (ClashKind) and tolerance (ClashTolerance), ascending by (a, b): a new "
-          "array.")
+          "a, b, the members of Relation, clash (ClashKind), tolerance (ClashTolerance) and piercing (ClashPiercing), "
+          "ascending by (a, b): a new array.")
       .def_prop_ro(
           "contacts", [](const CheckAnswer& answer) { return contacts_told(answer); },
           "pair and the fields of contacts.")
@@ -310,6 +328,13 @@ Everything is told in structured arrays; where one has a field pair, that counts
             });
           },
           "pair, the members of Penetration, and end (DepthEnd).")
+      .def_prop_ro(
+          "local_depths",
+          [](const CheckAnswer& answer) {
+            return rows_of_pairs<ContactRegion::Depth>(answer, [](const PairAnswer& pair) { return pair.local_depth; });
+          },
+          "pair, lower and upper: how deep two meshes are in each other where they are deepest, where that decided how "
+          "they stand to the tolerance; upper is infinite where it was not needed.")
       .def_prop_ro(
           "volumes",
           [](const CheckAnswer& answer) {

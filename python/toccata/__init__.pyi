@@ -1696,6 +1696,19 @@ class ClashTolerance(enum.IntEnum):
     undecided = 3
     """Its bracket holds the tolerance, or there is no depth."""
 
+class ClashPiercing(enum.IntEnum):
+    """Which of two passes through the other."""
+
+    none = 0
+    """Neither, or the volume was not asked for."""
+
+    unknown = 1
+    """One does, and which could not be told."""
+
+    a_through_b = 2
+
+    b_through_a = 3
+
 class DepthEnd(enum.IntEnum):
     """Why the search for a depth ended."""
 
@@ -1717,7 +1730,7 @@ class CheckAnswer:
     @property
     def pairs(self) -> toccata._typing.Answers:
         """
-        a, b, the members of Relation, clash (ClashKind) and tolerance (ClashTolerance), ascending by (a, b): a new array.
+        a, b, the members of Relation, clash (ClashKind), tolerance (ClashTolerance) and piercing (ClashPiercing), ascending by (a, b): a new array.
         """
 
     @property
@@ -1737,6 +1750,12 @@ class CheckAnswer:
     @property
     def penetrations(self) -> toccata._typing.Answers:
         """pair, the members of Penetration, and end (DepthEnd)."""
+
+    @property
+    def local_depths(self) -> toccata._typing.Answers:
+        """
+        pair, lower and upper: how deep two meshes are in each other where they are deepest, where that decided how they stand to the tolerance; upper is infinite where it was not needed.
+        """
 
     @property
     def volumes(self) -> toccata._typing.Answers:
@@ -3494,6 +3513,6 @@ def write_view_page(page: str, path: str | os.PathLike[str]) -> None:
 
 from ._show import Page as Page, show as show
 
-__all__: list[str] = ['Body', 'BodyDistance', 'BodyFilter', 'BodyId', 'BodyMoverContact', 'BodyMoverState', 'BodyMoverStep', 'BodyRayHit', 'BodyShapeHit', 'BodyType', 'Box', 'BroadPhase', 'Capsule', 'CheckAnswer', 'ClashKind', 'ClashTolerance', 'Compound', 'Cone', 'Contact', 'Containment', 'ConvexHull', 'ConvexPart', 'ConvexParts', 'Cylinder', 'DeformingMesh', 'DepthBracket', 'DepthEnd', 'Distance', 'DistanceCache', 'Ellipsoid', 'Error', 'FeatureKind', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshFault', 'MeshFaultKind', 'MeshHealth', 'MeshImpact', 'MeshRepair', 'ModelManifold', 'MoverOptions', 'OverlapVolume', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'RigidMotion', 'Robot', 'RobotContact', 'RobotDistance', 'RobotEdge', 'RobotJoint', 'RobotJointKind', 'RobotPosition', 'RobotScene', 'Rounded', 'SceneDistance', 'SceneIndex', 'SceneInstance', 'SceneMoverContact', 'SceneMoverState', 'SceneMoverStep', 'SceneRayHit', 'SceneShapeHit', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'World', 'WorldPairs', 'WorldStep', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'check_all', 'close_mesh', 'closing_gap', 'contact_regions', 'contact_regions_each', 'contacts', 'contacts_each', 'contacts_with_points', 'count_contacts_each', 'decompose', 'depth_bracket', 'depth_bracket_each', 'distance', 'distance_each', 'distance_within', 'distance_within_each', 'edge_edge_impacts', 'faces_in_ball', 'faces_in_box', 'faces_in_region_each', 'first_contact', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'generated_room', 'hull_of_half_spaces', 'load_mesh', 'load_scene', 'locate', 'manifold', 'manifold_each', 'manifolds', 'mesh_faults', 'mesh_parts', 'nearest_point', 'nearest_point_each', 'nearest_points', 'nearest_points_each', 'overlap', 'overlap_bodies', 'overlap_each', 'overlap_volume', 'overlapping_pairs', 'penetration', 'penetration_each', 'point_cloud', 'relation', 'relation_each', 'scene_signed_distance_each', 'self_contacts', 'self_contacts_each', 'self_overlap', 'signed_distance', 'signed_distance_each', 'sweep', 'sweep_each', 'swept_volume', 'velocity_along', 'vertex_face_impacts', 'view_frustum', 'view_page', 'voxel_map', 'within_distance', 'within_distance_each', 'write_view_page', 'Page', 'show', '__version__']
+__all__: list[str] = ['Body', 'BodyDistance', 'BodyFilter', 'BodyId', 'BodyMoverContact', 'BodyMoverState', 'BodyMoverStep', 'BodyRayHit', 'BodyShapeHit', 'BodyType', 'Box', 'BroadPhase', 'Capsule', 'CheckAnswer', 'ClashKind', 'ClashPiercing', 'ClashTolerance', 'Compound', 'Cone', 'Contact', 'Containment', 'ConvexHull', 'ConvexPart', 'ConvexParts', 'Cylinder', 'DeformingMesh', 'DepthBracket', 'DepthEnd', 'Distance', 'DistanceCache', 'Ellipsoid', 'Error', 'FeatureKind', 'HalfSpace', 'HeightField', 'IntersectionKind', 'Manifold', 'Mesh', 'MeshFault', 'MeshFaultKind', 'MeshHealth', 'MeshImpact', 'MeshRepair', 'ModelManifold', 'MoverOptions', 'OverlapVolume', 'Penetration', 'Point', 'Pose', 'RayHit', 'Relation', 'RelationKind', 'RigidMotion', 'Robot', 'RobotContact', 'RobotDistance', 'RobotEdge', 'RobotJoint', 'RobotJointKind', 'RobotPosition', 'RobotScene', 'Rounded', 'SceneDistance', 'SceneIndex', 'SceneInstance', 'SceneMoverContact', 'SceneMoverState', 'SceneMoverStep', 'SceneRayHit', 'SceneShapeHit', 'Segment', 'Shape', 'ShapeHit', 'Side', 'SignBy', 'SignedDistance', 'Solid', 'Sphere', 'Status', 'SurfacePoint', 'Triangle', 'WindingNumber', 'World', 'WorldPairs', 'WorldStep', 'cast_ray', 'cast_ray_each', 'cast_shape', 'cast_shape_each', 'check_all', 'close_mesh', 'closing_gap', 'contact_regions', 'contact_regions_each', 'contacts', 'contacts_each', 'contacts_with_points', 'count_contacts_each', 'decompose', 'depth_bracket', 'depth_bracket_each', 'distance', 'distance_each', 'distance_within', 'distance_within_each', 'edge_edge_impacts', 'faces_in_ball', 'faces_in_box', 'faces_in_region_each', 'first_contact', 'generalized_winding_number', 'generalized_winding_number_each', 'generate_mesh', 'generated_room', 'hull_of_half_spaces', 'load_mesh', 'load_scene', 'locate', 'manifold', 'manifold_each', 'manifolds', 'mesh_faults', 'mesh_parts', 'nearest_point', 'nearest_point_each', 'nearest_points', 'nearest_points_each', 'overlap', 'overlap_bodies', 'overlap_each', 'overlap_volume', 'overlapping_pairs', 'penetration', 'penetration_each', 'point_cloud', 'relation', 'relation_each', 'scene_signed_distance_each', 'self_contacts', 'self_contacts_each', 'self_overlap', 'signed_distance', 'signed_distance_each', 'sweep', 'sweep_each', 'swept_volume', 'velocity_along', 'vertex_face_impacts', 'view_frustum', 'view_page', 'voxel_map', 'within_distance', 'within_distance_each', 'write_view_page', 'Page', 'show', '__version__']
 
 __version__: str

@@ -6,8 +6,8 @@ namespace {
 /// Its members, in their order. Whoever adds one to the struct adds it here: the binding names all of them.
 template <class Answer, class Visit>
 void visit_members(Answer& answer, const Visit& visit) {
-  auto& [a, b, relation, contacts, penetration, depth_end, manifold, manifolds, regions, distance, kind, tolerance,
-         volume, common_point, common_box] = answer;
+  auto& [a, b, relation, contacts, penetration, depth_end, manifold, manifolds, regions, distance, clearance, kind,
+         piercing, tolerance, local_depth, volume, common_point, common_box] = answer;
   visit(a);
   visit(b);
   visit(relation);
@@ -18,8 +18,11 @@ void visit_members(Answer& answer, const Visit& visit) {
   visit(manifolds);
   visit(regions);
   visit(distance);
+  visit(clearance);
   visit(kind);
+  visit(piercing);
   visit(tolerance);
+  visit(local_depth);
   visit(volume);
   visit(common_point);
   visit(common_box);

@@ -99,8 +99,11 @@ CheckReport make_check_report(std::span<const SceneInstance> models, const Check
     reported.manifolds = pair.manifolds;
     reported.regions = pair.regions;
     reported.distance = pair.distance;
+    reported.clearance = pair.clearance;
     reported.kind = pair.kind;
+    reported.piercing = pair.piercing;
     reported.tolerance = pair.tolerance;
+    reported.local_depth = pair.local_depth;
     reported.volume = pair.volume;
     reported.common_point = pair.common_point;
     reported.place = meeting_place(pair);

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "toccata/reports/report.hpp"
 
 namespace toccata {
@@ -115,12 +117,16 @@ Since since_baseline(const ReportedPair& pair) {
   if (!pair.was) return Since::added;
   // Without a tolerance of now the depth of then tells nothing: an overlap was one.
   const bool was_within = pair.was->within_tolerance && pair.tolerance != ToleranceVerdict::none;
-  const int now = gravity_of(pair.relation.kind, !is_clash(pair)), then = gravity_of(pair.was->kind, was_within);
+  const int now = gravity_of(pair.relation.kind, pair.tolerance == ToleranceVerdict::within),
+            then = gravity_of(pair.was->kind, was_within);
   if (now > then) return Since::graver;
   return pair.moved_by ? Since::moved : Since::known;
 }
 
-bool is_clash(const ReportedPair& pair) { return pair.tolerance != ToleranceVerdict::within; }
+bool is_clash(const ReportedPair& pair) {
+  const bool is_told_alone = pair.relation.kind == RelationKind::apart && std::isinf(pair.clearance);
+  return pair.tolerance != ToleranceVerdict::within && !is_told_alone;
+}
 
 std::string name_of(ClashKind kind) {
   switch (kind) {
@@ -142,6 +148,26 @@ std::string name_of(ClashKind kind) {
       return "equal";
   }
   return {};
+}
+
+std::string name_of(ClashPiercing piercing) {
+  switch (piercing) {
+    case ClashPiercing::none:
+      return "none";
+    case ClashPiercing::unknown:
+      return "unknown";
+    case ClashPiercing::a_through_b:
+      return "a_through_b";
+    case ClashPiercing::b_through_a:
+      return "b_through_a";
+  }
+  return {};
+}
+
+std::string tolerance_decided_by(const ReportedPair& pair) {
+  if (pair.tolerance == ToleranceVerdict::none) return {};
+  if (pair.local_depth) return "local_depth";
+  return pair.penetration ? "penetration" : "";
 }
 
 std::string name_of(ToleranceVerdict verdict) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
@@ -170,6 +171,104 @@ TEST_F(CheckClashesOfCommand, ASavedCaseAndAReportAskTheSameAgain) {
                 .exit_code,
             1);
   EXPECT_EQ(run_command({"replay", "case.json"}, folder.path()).exit_code, 0);
+}
+
+TEST_F(CheckClashesOfCommand, ByWhichDepthTheToleranceWasDecidedIsTold) {
+  // A crate pressed 0.05 into both walls of a channel, and a shape that is no mesh.
+  folder.write("channel.obj",
+               "v -2 -1 0\nv 2 -1 0\nv 2 2 0\nv 1 2 0\nv 1 0 0\nv -1 0 0\nv -1 2 0\nv -2 2 0\n"
+               "v -2 -1 4\nv 2 -1 4\nv 2 2 4\nv 1 2 4\nv 1 0 4\nv -1 0 4\nv -1 2 4\nv -2 2 4\n"
+               "f 8 7 6 5 4 3 2 1\nf 9 10 11 12 13 14 15 16\nf 1 2 10 9\nf 2 3 11 10\nf 3 4 12 11\nf 4 5 13 12\n"
+               "f 5 6 14 13\nf 6 7 15 14\nf 7 8 16 15\nf 8 1 9 16\n");
+  folder.write("scene.json", R"({"format": "toccata-scene", "version": 1, "objects": [
+    {"name": "channel", "file": "channel.obj"},
+    {"name": "crate", "generate": "box", "parameters": {"half-x": 1.05, "half-y": 0.9, "half-z": 0.9},
+     "pose": {"translation": [0, 1.2, 2]}},
+    {"name": "ball", "shape": {"type": "sphere", "radius": 1}, "pose": {"translation": [0, 3.05, 2]}}]})");
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"check", "scene.json"});
+    return run_command(words, folder.path());
+  };
+  const Json found = Json::parse(run({"--tolerance", "0.06", "--json"}).out);
+  ASSERT_EQ(found["pairs"].size(), 2U);
+  const Json &meshes = found["pairs"][0], &other = found["pairs"][1];
+  EXPECT_EQ(meshes["tolerance"], "within");
+  EXPECT_EQ(meshes["tolerance_by"], "local_depth");
+  EXPECT_NEAR(meshes["local_depth"]["upper"].get<double>(), 0.05, 1e-9);
+  EXPECT_TRUE(meshes["penetration"].is_null());
+  EXPECT_EQ(other["tolerance"], "within");
+  EXPECT_EQ(other["tolerance_by"], "penetration");
+  EXPECT_FALSE(other.contains("local_depth"));
+  const auto table = run({"--tolerance", "0.06"});
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_NE(table.out.find("within the tolerance: nowhere more than 0.05 deep"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("2 pairs within the tolerance of 0.06: 1 by the deepest place, 1 by what parts the two: no"),
+            std::string::npos)
+      << table.out;
+  const auto deeper = run({"--tolerance", "0.04", "--sarif", "deep.sarif"});
+  EXPECT_EQ(deeper.exit_code, 1);
+  EXPECT_NE(deeper.out.find("beyond the tolerance: 0.05 deep or more in one place"), std::string::npos) << deeper.out;
+  EXPECT_NE(test::text_of(folder.path() / "deep.sarif").find("\"tolerance_by\": \"local_depth\""), std::string::npos);
+  const std::string csv = run({"--tolerance", "0.06", "--csv"}).out;
+  EXPECT_NE(csv.find(",tolerance,tolerance_by,local_depth_lower,local_depth_upper\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",within,local_depth,0.0"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",within,penetration,,\n"), std::string::npos) << csv;
+}
+
+TEST_F(CheckClashesOfCommand, WhatGoesThroughWhatIsSaidInEitherOrder) {
+  const std::string plate = "gen:box?half-x=2&half-y=2&half-z=0.25", rod = "gen:box?half-x=0.5&half-y=0.25&half-z=2";
+  const auto told = [&](const std::string& a, const std::string& b, const char* format) {
+    return run_command({"check", a, b, "--volume", format}, folder.path()).out;
+  };
+  for (const char* format : {"--json", "--csv"}) {
+    EXPECT_NE(told(plate, rod, format).find("b_through_a"), std::string::npos) << told(plate, rod, format);
+    EXPECT_NE(told(rod, plate, format).find("a_through_b"), std::string::npos) << told(rod, plate, format);
+  }
+  const std::string rows = run_command({"check", plate, rod, "--volume"}, folder.path()).out;
+  EXPECT_NE(rows.find("  is pierced by  "), std::string::npos) << rows;
+  EXPECT_NE(run_command({"check", rod, plate, "--volume"}, folder.path()).out.find("  pierces  "), std::string::npos);
+}
+
+TEST_F(CheckClashesOfCommand, WhichOfTheTwoMovesIsSaid) {
+  const std::string told = check({"--penetration", "--ignore", "bolt 2", "--junit", "row.xml"}).out;
+  EXPECT_NE(told.find("      0.0625 deep along (1, 0, 0), moving bolt 1\n"), std::string::npos) << told;
+  EXPECT_NE(test::text_of(folder.path() / "row.xml").find("0.0625 deep along (1, 0, 0), moving bolt 1"),
+            std::string::npos);
+}
+
+TEST_F(CheckClashesOfCommand, AnOutputThatIsALinkIsWrittenToWhatItLeadsTo) {
+  std::filesystem::create_symlink("there.xml", folder.path() / "link.xml");
+  for (int i = 0; i < 2; ++i) {  // where there is nothing, and where there is a report
+    EXPECT_EQ(check({"--junit", "link.xml"}).exit_code, 1);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.xml"));
+    EXPECT_NE(test::text_of(folder.path() / "there.xml").find("JUnit XML of Toccata"), std::string::npos);
+  }
+}
+
+TEST_F(CheckClashesOfCommand, AGlbOfAStoppedCheckSaysSo) {
+  const auto marks_in = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--glb", "row.glb", "--overlap-bodies", "bodies.glb"});
+    check(more);
+    std::string names;
+    for (const char* file : {"row.glb", "bodies.glb"})
+      if (test::text_of(folder.path() / file).find(R"("extras":{"unfinished":)") != std::string::npos) names += file;
+    return names;
+  };
+  EXPECT_EQ(marks_in({}), "");
+  EXPECT_EQ(marks_in({"--stop-after", "1e-9"}), "row.glbbodies.glb");
+}
+
+TEST_F(CheckClashesOfCommand, ThatCoordinatesAreRoundedByAUnitIsSaid) {
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", "gen:box", "gen:icosphere"});
+    return run_command(options, folder.path()).out;
+  };
+  const std::string rounded = "and rounded: slanted faces that touch in the files may be apart or overlap";
+  EXPECT_NE(told({"--unit", "mm"}).find("Coordinates were multiplied by 0.001 " + rounded), std::string::npos);
+  EXPECT_NE(told({"--scale", "3"}).find("multiplied by 3 " + rounded), std::string::npos);
+  EXPECT_EQ(told({"--unit", "m"}).find(rounded), std::string::npos);
+  EXPECT_EQ(told({"--scale", "0.25"}).find(rounded), std::string::npos);
+  EXPECT_EQ(told({}).find(rounded), std::string::npos);
 }
 
 TEST_F(CheckClashesOfCommand, OverlapBodiesAreOfThePairsThatAreTold) {

@@ -25,7 +25,8 @@ class CheckClearanceCommand : public testing::Test {
     const auto run = run_command(words);
     EXPECT_NE(run.exit_code, 2) << run.err;
     const std::size_t count = Json::parse(run.out)["pairs"].size();
-    EXPECT_EQ(run.exit_code, count > 0 ? 1 : 0);
+    const bool demands_none = !options.empty() && options.back() == "all";
+    EXPECT_EQ(run.exit_code, count > 0 && !demands_none ? 1 : 0);
     return count;
   }
 
@@ -44,6 +45,19 @@ TEST_F(CheckClearanceCommand, TakesLengthsWithAndWithoutTheirUnit) {
   EXPECT_EQ(pairs_told({"--clearance-of", "wall,table=5cm"}), 1U);
   EXPECT_EQ(pairs_told({"--clearance", "5cm", "--clearance-of", "table,tool, left=1mm"}), 1U);
   EXPECT_EQ(pairs_told({"--clearance-of", "wall,table=5cm", "--clearance-of", "tool, left,table=2"}), 2U);
+}
+
+TEST_F(CheckClearanceCommand, AllDemandsNoneAndTellsDistances) {
+  const auto all = run_command({"check", file, "--clearance", "all", "--junit", (folder / "all.xml").string()});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_NE(all.out.find("  table  is apart from  tool, left  2 apart"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("clearance clash"), std::string::npos) << all.out;
+  EXPECT_NE(test::text_of(folder / "all.xml").find("tests=\"3\" failures=\"0\""), std::string::npos);
+  const std::vector<std::string> one_demanded{"check", file, "--clearance", "all", "--clearance-of", "wall,table=5cm"};
+  const auto one = run_command(one_demanded);
+  EXPECT_EQ(one.exit_code, 1);
+  EXPECT_NE(one.out.find("  table       clearance clash  wall"), std::string::npos) << one.out;
+  EXPECT_NE(one.out.find("  table       is apart from    tool, left"), std::string::npos) << one.out;
 }
 
 TEST_F(CheckClearanceCommand, TellsTheDistance) {

@@ -28,15 +28,18 @@ using Words = std::vector<std::string>;
 /// What a pair is told to be, without what depends on which of the two is a: a number is the same in either order.
 Json told_of(const Json& pair) {
   const bool is_ascending = pair["a"] < pair["b"];
-  const auto flipped = [](const std::string& containment) -> std::string {
-    return containment == "a_in_b" ? "b_in_a" : containment == "b_in_a" ? "a_in_b" : containment;
+  const auto flipped = [](const std::string& way) -> std::string {
+    if (way == "a_through_b" || way == "b_through_a") return way == "a_through_b" ? "b_through_a" : "a_through_b";
+    return way == "a_in_b" ? "b_in_a" : way == "b_in_a" ? "a_in_b" : way;
   };
   const std::string containment = pair["containment"];
   Json told = {{"relation", pair["relation"]},
                {"containment", is_ascending ? containment : flipped(containment)},
                {"status", pair["status"]},
                {"side_unresolved", pair["side_unresolved"]}};
-  for (const char* const key : {"kind", "volume", "tolerance"})
+  if (pair.contains("piercing"))
+    told["piercing"] = is_ascending ? pair["piercing"].get<std::string>() : flipped(pair["piercing"]);
+  for (const char* const key : {"kind", "volume", "tolerance", "tolerance_by", "local_depth"})
     if (pair.contains(key)) told[key] = pair[key];
   for (const char* const key : {"distance", "penetration"})
     if (pair.contains(key) && !pair[key].is_null())

@@ -58,7 +58,10 @@ void expect_equal(const PairAnswer& found, const PairAnswer& expected) {
   EXPECT_EQ(found.regions, expected.regions);
   EXPECT_EQ(found.distance, expected.distance);
   EXPECT_EQ(found.kind, expected.kind);
+  EXPECT_EQ(found.clearance, expected.clearance);
+  EXPECT_EQ(found.piercing, expected.piercing);
   EXPECT_EQ(found.tolerance, expected.tolerance);
+  EXPECT_EQ(found.local_depth, expected.local_depth);
   EXPECT_EQ(found.volume, expected.volume);
   EXPECT_EQ(found.common_point, expected.common_point);
   EXPECT_EQ(found.common_box.lower, expected.common_box.lower);

@@ -127,6 +127,18 @@ TEST(RegionDepth, OfARodThroughAPlateIsOnePlaceAsDeepAsTheRodIsThick) {
   EXPECT_TRUE(regions[0].closed);
 }
 
+TEST(RegionDepth, OfARectangularRodThroughAPlateHasTheAreaAcrossBoth) {
+  const double w = 2, d = 4, t = 1, slanted = std::sqrt(w * w + t * t);
+  const Model rod(box_mesh({w / 2, d / 2, 5})), plate(box_mesh({9, 9, t / 2}));
+  const auto regions = regions_of(rod, plate, {});
+  ASSERT_EQ(regions.size(), 1U);
+  expect_depth(regions[0], (w + t) / 2, "rod", 1e-9);
+  EXPECT_NEAR(std::abs(regions[0].normal.x), w / slanted, 1e-9);
+  EXPECT_NEAR(regions[0].normal.y, 0, 1e-9);
+  EXPECT_NEAR(std::abs(regions[0].normal.z), t / slanted, 1e-9);
+  EXPECT_NEAR(regions[0].area, 2 * w * d * t / slanted, 1e-9);
+}
+
 TEST(RegionDepth, OfAPressFitIsWhatThePinIsTooThick) {
   const TriangleMesh pin = prism_mesh(0.5, 2, 48);
   const Model block(negative_image(pin, 1));

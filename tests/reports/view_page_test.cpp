@@ -16,10 +16,12 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/data.hpp"
 #include "support/page.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
+#include "toccata/io/model_file.hpp"
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/query/pairs.hpp"
@@ -477,6 +479,36 @@ TEST(ViewPage, WritesNothingOverWhatIsNoPage) {
   write_view_page(page, folder.path() / "page.html");
   write_view_page(page, folder.path() / "page.html");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+/// With the faces that meet and how deep, as `check --html --penetration` writes it.
+std::size_t bytes_of_crossing_page(const TriangleMesh& a, const TriangleMesh& b) {
+  const Aabb box = fit_aabb(a.vertices());
+  const Vec3 third = (1.0 / 3) * (box.upper - box.lower);
+  Scene scene;
+  const auto object = [](const char* name, const TriangleMesh& mesh, const Pose& pose) {
+    return SceneObject{.name = name, .shape = std::make_shared<const TriangleMesh>(mesh), .pose = pose};
+  };
+  scene.objects = {object("a", a, {}), object("b", b, Pose::translation(third.x, third.y / 4, third.z / 4))};
+  const std::vector<SceneInstance> models = scene_models(scene);
+  const CheckAnswer answer = check_all(models, contacts_and_penetration());
+  EXPECT_EQ(answer.pairs.size(), 1U);
+  EXPECT_GT(answer.pairs.empty() ? 0 : answer.pairs[0].contacts.size(), 100U);
+  return view_page(scene, models, make_check_report(models, answer, {.faces = true, .penetration = true}), {}).size();
+}
+
+TEST(ViewPage, OfTwoCrossingBunniesHasAtMostThreeMegabytes) {
+  const auto data = test::data_folder();
+  if (!data) GTEST_SKIP() << "set TOCCATA_DATA to the folder of real models";
+  const TriangleMesh bunny = read_mesh(*data / "meshes/stanford-bunny.obj");
+  std::vector<Vec3> larger;
+  for (const Vec3& v : bunny.vertices()) larger.push_back(1.03125 * v);
+  const TriangleMesh other(std::move(larger), {bunny.triangles().begin(), bunny.triangles().end()});
+  for (const TriangleMesh* second : {&bunny, &other}) {
+    const std::size_t bytes = bytes_of_crossing_page(bunny, *second);
+    EXPECT_LE(bytes, 3'000'000U);
+    EXPECT_GT(bytes, 1'000'000U) << "this is no page of two bunnies";
+  }
 }
 
 }  // namespace

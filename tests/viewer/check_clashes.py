@@ -248,6 +248,17 @@ def check_tools(checks, browser):
     checks.expect(browser.value("document.getElementById('measured').textContent") == "", "no longer")
 
 
+def check_stopped(checks, browser):
+    """Of a check that was stopped the picture says that it is not all, without panels, too."""
+    said = "(() => { const said = document.getElementById('partial'); return said.offsetHeight > 0 ? said.textContent : ''; })()"
+    checks.expect(browser.value(said) == "", "a check of all pairs says nothing of it")
+    checks.run("check", "hall.json", "--stop-after", "1e-9", "--html", "stopped.html")
+    checks.opened(browser, "stopped.html", "#panels=0")
+    told = browser.value(said)
+    checks.expect(told.startswith("Stopped: ") and told.endswith(" not looked at"), f"stopped: {told!r}")
+    checks.quiet(browser, "stopped.html")
+
+
 def main():
     command = str(pathlib.Path(sys.argv[1]).resolve())
     if not find_chromium():
@@ -271,6 +282,7 @@ def main():
             check_tools(checks, browser)
             check_review(checks, browser)
             checks.quiet(browser, "hall.html")
+            check_stopped(checks, browser)
     print(f"{checks.count} checks, {len(checks.failures)} failed")
     return 1 if checks.failures else 0
 

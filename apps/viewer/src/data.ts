@@ -156,7 +156,9 @@ export interface Pair {
   kind?: string;
   volume?: { lower: number; upper: number; status: string } | null;
   point?: Vec | null;
+  piercing?: 'unknown' | 'a_through_b' | 'b_through_a';
   tolerance?: 'within' | 'beyond' | 'undecided';
+  local_depth?: { lower: number; upper: number | null };
 }
 
 /// One place at which two meshes meet.
@@ -322,6 +324,7 @@ export interface Report {
   warnings: string[];
   objects: ReportObject[];
   pairs?: Pair[];
+  unfinished?: number; // pairs that a check which was stopped has not looked at
   baseline?: { file: string; gone: GonePair[] };
   groups?: ClashGroup[];
   queries?: PosesQuery[];

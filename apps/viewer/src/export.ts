@@ -26,6 +26,14 @@ function paint(viewer: Viewer): HTMLCanvasElement {
     context.strokeText(shown.textContent ?? '', x, y);
     context.fillText(shown.textContent ?? '', x, y);
   }
+  const partial = element('partial');
+  if (!partial.hidden) {
+    context.textAlign = 'left';
+    context.strokeStyle = style.getPropertyValue('--panel');
+    context.fillStyle = getComputedStyle(partial).color;
+    context.strokeText(partial.textContent ?? '', 12, 22);
+    context.fillText(partial.textContent ?? '', 12, 22);
+  }
   return picture;
 }
 

@@ -112,7 +112,18 @@ function kindOf(pair: Pair): string {
   return pair.containment === 'none' ? 'hard' : pair.containment === 'equal' ? 'equal' : 'contains';
 }
 
-const kindVerbs: Record<string, string> = { pierce: 'pierces', protrude: 'protrudes into' };
+const piercingVerbs = { a_through_b: 'pierces', b_through_a: 'is pierced by', unknown: 'pierces or is pierced by' };
+
+const verbOf = ({ kind, piercing }: Pair, plainVerb: string) =>
+  kind === 'pierce' ? piercingVerbs[piercing ?? 'unknown'] : kind === 'protrude' ? 'protrudes into' : plainVerb;
+
+/// How it stands to the tolerance, and by which depth where that is one of a place.
+function toleranceFact({ tolerance, local_depth: depth }: Pair, unit: string): Part[][] {
+  if (!tolerance) return [];
+  if (!depth) return [[toleranceWords[tolerance]]];
+  const by = tolerance === 'within' ? `nowhere more than ${lengthText(depth.upper, unit)} deep` : `${lengthText(depth.lower, unit)} deep or more in one place`;
+  return [[`${toleranceWords[tolerance]}: ${by}`]];
+}
 
 const reasons: Record<string, string> = {
   apart: 'no clash now',
@@ -145,7 +156,7 @@ function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
   const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
   if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
   facts.push(...volumeFacts(pair, unit));
-  if (pair.tolerance) facts.push([toleranceWords[pair.tolerance]]);
+  facts.push(...toleranceFact(pair, unit));
   if (pair.baseline) facts.push([`since the baseline: ${sinceOf(pair, unit)}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
   if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, unit));
   if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
@@ -158,7 +169,7 @@ function ofPairs({ header, report }: PageData): Findings {
   const pairs = report.pairs ?? [];
   const all = pairs.map((pair, i): Finding => {
     const { verb: plainVerb = '', remark = '', place } = header.words[i];
-    const verb = kindVerbs[pair.kind ?? ''] ?? plainVerb;
+    const verb = verbOf(pair, plainVerb);
     const [a, b] = [pair.a_index, pair.b_index];
     const near = pair.relation === 'apart';
     return { // of ten thousand, texts are put together of those that are seen

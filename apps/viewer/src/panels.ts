@@ -189,6 +189,10 @@ export class Panels {
     if (report.unit !== 'unit') parts.unshift(/^[-+.\d]/.test(report.unit) ? `in units of ${report.unit}` : `in ${report.unit}`);
     element('summary').textContent = parts.join(' · ');
     element('summary').title = [parts.join(' · '), ...report.warnings].join('\n');
+    if (report.unfinished) {
+      element('partial').textContent = `Stopped: ${countText(report.unfinished, 'pair')} not looked at`;
+      element('partial').hidden = false;
+    }
     element('tab-findings').textContent = this.findings.name;
     element('tab-objects').textContent = `Objects ${report.objects.length.toLocaleString('en-US')}`;
   }

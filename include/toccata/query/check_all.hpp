@@ -37,7 +37,8 @@ struct PairAnswer {
     clearance,  ///< near, and not in contact
     touching,
     crossing,  ///< a surface takes part
-    overlap,   ///< of two solids, of which it was not asked, or not found out, whether one passes through the other
+    overlap,   ///< of two solids, of which it was not asked, or not found out, whether one passes through the other:
+               ///< compounds, and meshes that meet themselves or lie within themselves where they meet the other
     protrude,  ///< one goes into the other, and not through it
     pierce,    ///< one goes into the other at one place and out at another: around one common part they cross along two
                ///< closed curves or more
@@ -45,11 +46,19 @@ struct PairAnswer {
     equal
   };
 
+  /// Where one passes through the other: which does. Its surface leads through the other from curve to curve.
+  enum class Piercing {
+    none,         ///< it is no `pierce`
+    unknown,      ///< as of two rods of one width that cross, or of what goes through here and is gone through there
+    a_through_b,  ///< as a rod A through a plate B
+    b_through_a
+  };
+
   /// How an overlap stands to the tolerance.
   enum class Tolerance {
     none,      ///< none was asked for the pair, or the two do not overlap
-    within,    ///< certainly no deeper
-    beyond,    ///< certainly deeper
+    within,    ///< certainly no deeper, by `local_depth` where it is there, else by the penetration
+    beyond,    ///< certainly deeper, by the same
     undecided  ///< its bracket holds the tolerance, however narrow it was asked; or there is no depth
   };
 
@@ -63,13 +72,19 @@ struct PairAnswer {
   /// With the penetration, where one is a mesh, a height field or a compound and not both have a mesh: of each two
   /// elements that meet, ascending.
   std::vector<ContactManifold> manifolds{};
-  std::vector<ContactRegion> regions{};   ///< with the penetration, of two meshes
-  std::optional<Distance> distance{};     ///< wherever a clearance is asked for: 0 where they have a common point
-  Kind kind = Kind::touching;             ///< of meshes `protrude` and `pierce` with the penetration or the volume
-  Tolerance tolerance = Tolerance::none;  ///< by the penetration, which is told then
+  std::vector<ContactRegion> regions{};  ///< with the penetration, of two meshes
+  std::optional<Distance> distance{};    ///< wherever a clearance is asked for: 0 where they have a common point
+  double clearance = 0;                  ///< the one that was asked of them; +∞ demands none
+  Kind kind = Kind::touching;            ///< `protrude` and `pierce` with the volume alone
+  Piercing piercing = Piercing::none;
+  Tolerance tolerance = Tolerance::none;  ///< by `local_depth`, else by the penetration; what decided it is told
+  /// Of two meshes whose stand to the tolerance it decided: how deep they are in each other where they are deepest
+  /// (docs/methods/penetration.md#how-deep-is-a-place). Known no better than was needed: beyond it `upper` may be +∞.
+  std::optional<ContactRegion::Depth> local_depth{};
   std::optional<OverlapVolume> volume{};  ///< when asked for, of two solids
-  std::optional<Vec3> common_point{};     ///< with it: a point that certainly both have, if one was found
-  Aabb common_box{};                      ///< what the boxes around both have in common: they meet nowhere else
+  /// With it: a point that certainly both have, if one was found. Where both are meshes it lies off their surfaces.
+  std::optional<Vec3> common_point{};
+  Aabb common_box{};  ///< what the boxes around both have in common: they meet nowhere else
 };
 
 /// How far two of the models should be from each other. They are not of one group.
@@ -84,8 +99,9 @@ struct CheckOptions {
   bool penetration = false;  ///< tell how deep they overlap and their contact points, where these are defined
   DepthOptions depth{.precision = 0.1};  ///< how narrow its bracket is to be; a time limit is that of each pair
   bool volume = false;                   ///< tell how much volume they have in common, and a point of it
-  /// World units: overlaps that are certainly no deeper are told to be within it. Where the bracket of a depth holds
-  /// it, that is asked more precisely.
+  /// World units: overlaps that are certainly no deeper are told to be within it. Two meshes of which neither holds the
+  /// other are as deep as they are at their deepest place; what that leaves open, and other solids, as the shortest
+  /// translation that parts them is long. Where its bracket holds the tolerance, it is asked more precisely.
   std::optional<double> tolerance{};
   /// World units. Where one is asked for, pairs are told that are at most so far apart, decided exactly
   /// (within_distance), and the distance of every pair that is told. 0: those in contact. +∞: all pairs.

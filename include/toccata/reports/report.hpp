@@ -65,6 +65,7 @@ struct FormerObject {
 };
 
 using ClashKind = PairAnswer::Kind;
+using ClashPiercing = PairAnswer::Piercing;
 using ToleranceVerdict = PairAnswer::Tolerance;
 
 struct ReportedPair {
@@ -78,10 +79,13 @@ struct ReportedPair {
   std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
   std::optional<Distance> distance;      ///< filled when the answer has distances
+  double clearance = 0;                  ///< as in PairAnswer
   std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
   std::optional<double> moved_by{};      ///< how far one of the two has moved as seen from the other, where it has
   ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
+  ClashPiercing piercing = ClashPiercing::none;
   ToleranceVerdict tolerance = ToleranceVerdict::none;
+  std::optional<ContactRegion::Depth> local_depth{};
   std::optional<OverlapVolume> volume{};
   std::optional<Vec3> common_point{};
   Aabb place{};  ///< around where they meet or are nearest, as far as the answer says; else around what both may hold
@@ -90,7 +94,8 @@ struct ReportedPair {
   std::optional<WindingNumber> winding{};
 };
 
-/// What counts as a clash: all that is reported but overlaps that are certainly within the tolerance.
+/// What counts as a clash: all that is reported but overlaps that are certainly within the tolerance, and pairs that
+/// are apart of which no clearance was demanded: their distance alone was asked for.
 [[nodiscard]] bool is_clash(const ReportedPair& pair);
 
 /// Whether pairs that touch without their interiors meeting are reported.
@@ -197,8 +202,12 @@ struct CheckReport {
 
 /// "clearance", "touching", "crossing", "overlap", "protrude", "pierce", "contains", "equal".
 [[nodiscard]] std::string name_of(ClashKind kind);
+/// "none", "unknown", "a_through_b", "b_through_a".
+[[nodiscard]] std::string name_of(ClashPiercing piercing);
 /// "none", "within", "beyond", "undecided".
 [[nodiscard]] std::string name_of(ToleranceVerdict verdict);
+/// By which depth a verdict was come to, "local_depth" or "penetration"; nothing where there is none.
+[[nodiscard]] std::string tolerance_decided_by(const ReportedPair& pair);
 /// "none", "part", "region".
 [[nodiscard]] std::string name_of(ClashGrouping grouping);
 

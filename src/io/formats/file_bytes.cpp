@@ -27,6 +27,18 @@ void require_regular_file(const fs::path& path) {
     fail_in_file(path.string(), {"this is not a regular file", "save the data as a file first"});
 }
 
+/// Where a link leads, and the links that it leads to; a rename would replace the link.
+fs::path end_of_links(fs::path path) {
+  constexpr int most_links = 40;  // as many as Linux follows
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code code;
+    const fs::path next = fs::read_symlink(path, code);
+    if (code) break;  // no link
+    path = path.parent_path() / next;
+  }
+  return path;
+}
+
 }  // namespace
 
 FileBytes read_file(const fs::path& path) {
@@ -45,10 +57,10 @@ FileBytes read_file(const fs::path& path) {
   return bytes;
 }
 
-FileInMaking::FileInMaking(const fs::path& target) : target_(target) {
+FileInMaking::FileInMaking(const fs::path& target) : target_(end_of_links(target)) {
   constexpr int attempts = 1000;
   for (int attempt = 0; attempt < attempts && !file_; ++attempt) {
-    path_ = target;
+    path_ = target_;
     path_ += ".part" + std::to_string(attempt);
     file_.reset(std::fopen(path_.string().c_str(), "wb+x"));
     if (!file_ && errno != EEXIST) break;

@@ -31,25 +31,13 @@ void require_tree_or_nothing(const fs::path& path) {
     io::fail_in_file(path.string(), {"the file exists and is no tree file", "choose another name"});
 }
 
-/// Where a link leads, and the links that it leads to; a rename would replace the link.
-fs::path end_of_links(fs::path path) {
-  constexpr int most_links = 40;  // as many as Linux follows
-  for (int i = 0; i < most_links; ++i) {
-    std::error_code code;
-    const fs::path next = fs::read_symlink(path, code);
-    if (code) break;  // no link
-    path = path.parent_path() / next;
-  }
-  return path;
-}
-
 }  // namespace
 
 void save_tree(const Model& model, const std::string& path) {
   if (!std::holds_alternative<std::shared_ptr<const TriangleMesh>>(model.shape()))
     throw Error(fmt::format("{}: the tree of a mesh is saved, and the model is a {}", path, name_of(model.shape())));
   require_tree_or_nothing(path);
-  io::write_file(end_of_links(path), io::tree_bytes(model.wide_bvh(), model.mesh()));
+  io::write_file(path, io::tree_bytes(model.wide_bvh(), model.mesh()));
 }
 
 Model load_model(std::shared_ptr<const TriangleMesh> mesh, const std::string& tree) {

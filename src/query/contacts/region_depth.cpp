@@ -56,8 +56,16 @@ struct WaitingCell {
 
 class CommonDepthSearch {
  public:
-  CommonDepthSearch(const DepthSide& a, const DepthSide& b, const Aabb& box, double size, SearchScratch& scratch)
-      : a_(a), b_(b), box_(box), slack_(depth_slack * size), floor_(least_width * size), scratch_(scratch) {}
+  /// With a limit it ends as soon as a point is deeper, or no point may be.
+  CommonDepthSearch(const DepthSide& a, const DepthSide& b, const Aabb& box, double size, std::optional<double> limit,
+                    SearchScratch& scratch)
+      : a_(a),
+        b_(b),
+        box_(box),
+        slack_(depth_slack * size),
+        floor_(least_width * size),
+        limit_(limit),
+        scratch_(scratch) {}
 
   /// Some of the vertices of either inside the other.
   void see_vertices(std::span<const Vec3> of_a, std::span<const Vec3> of_b) {
@@ -106,6 +114,7 @@ class CommonDepthSearch {
     cost_ = 0;
     wait_for(looked_into(root()));
     while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
+      if (limit_ && best_.depth > *limit_) break;
       if (until == Until::some_point && best_.depth > 0) return;
       const WaitingCell cell = waiting_.top();
       waiting_.pop();
@@ -122,7 +131,10 @@ class CommonDepthSearch {
     if (found.depth > 0 && is_deeper(found, best_)) best_ = found;
   }
 
-  [[nodiscard]] double narrow_enough() const { return std::max((1 + asked_precision) * best_.depth, floor_); }
+  [[nodiscard]] double narrow_enough() const {
+    if (limit_) return std::max(*limit_, best_.depth + floor_);
+    return std::max((1 + asked_precision) * best_.depth, floor_);
+  }
 
   [[nodiscard]] static DeepestPoint of_both(const Vec3& point, const SurfacePoint& a, const SurfacePoint& b) {
     return {std::nextafter(a.lower + b.lower, 0.0), point, a.point, b.point};
@@ -257,6 +269,7 @@ class CommonDepthSearch {
   const Aabb& box_;
   double slack_;
   double floor_;
+  std::optional<double> limit_;
   SearchScratch& scratch_;
   DeepestPoint best_;
   CellFrame frame_{};
@@ -295,7 +308,7 @@ CommonDepth::CommonDepth(const Model& a, const Model& b, const PairQuery& query,
 
 FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const {
   using Until = CommonDepthSearch::Until;
-  CommonDepthSearch search(a_, b_, box, size_, scratch_);
+  CommonDepthSearch search(a_, b_, box, size_, {}, scratch_);
   search.see_vertices(of_a, of_b);
   search.see_point(middle_of_box(box));
   if (search.best().depth == 0) search.search(shortest_axis(box), Until::some_point);
@@ -303,6 +316,19 @@ FoundDepth CommonDepth::within(const Aabb& box, std::span<const Vec3> of_a, std:
   const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
   search.search(across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
   return search.found();
+}
+
+ContactRegion::Depth CommonDepth::against(double limit, const Aabb& box) const {
+  using Until = CommonDepthSearch::Until;
+  CommonDepthSearch search(a_, b_, box, size_, limit, scratch_);
+  search.see_point(middle_of_box(box));
+  if (search.best().depth == 0) search.search(shortest_axis(box), Until::some_point);
+  if (search.best().depth == 0) return search.found().bracket;
+  search.climb();
+  if (search.best().depth > limit) return {search.best().depth, infinity};
+  const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
+  search.search(across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
+  return search.found().bracket;
 }
 
 }  // namespace toccata

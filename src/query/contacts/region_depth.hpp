@@ -66,6 +66,10 @@ class CommonDepth {
   /// How deep the common points in the box are. `of_a` are vertices of A inside B, `of_b` such of B inside A.
   [[nodiscard]] FoundDepth within(const Aabb& box, std::span<const Vec3> of_a, std::span<const Vec3> of_b) const;
 
+  /// The same, known no better than it takes to hold it against the limit: `upper` is at most that, or `lower` more;
+  /// neither where that was not found in reasonable time, or where the two differ by rounding alone.
+  [[nodiscard]] ContactRegion::Depth against(double limit, const Aabb& box) const;
+
  private:
   DepthSide a_;
   DepthSide b_;

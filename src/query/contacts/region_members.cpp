@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -151,6 +152,38 @@ std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, 
   InnerJoin(contacts, a, a_within, b, ContactSide::a, first_of_a, sets).join();
   InnerJoin(contacts, b, b_within, a, ContactSide::b, first_of_b, sets).join();
   return members_of(sets, contacts.size(), of_a, of_b);
+}
+
+std::optional<ContactSide> side_that_pierces(std::span<const Contact> contacts, VertexGraph& a,
+                                             const SurfaceWithin& a_within, VertexGraph& b,
+                                             const SurfaceWithin& b_within) {
+  const std::size_t of_a = a_within.pieces().size(), of_b = b_within.pieces().size();
+  const auto count = static_cast<Index>(contacts.size()), first_of_b = static_cast<Index>(count + of_a);
+  UnionFind curves(count), by_a(count + of_a), by_b(count + of_b), regions(count + of_a + of_b);
+  for (UnionFind* sets : {&curves, &by_a, &by_b, &regions}) unite_neighbours(contacts, a, b, *sets);
+  InnerJoin(contacts, a, a_within, b, ContactSide::a, count, by_a).join();
+  InnerJoin(contacts, b, b_within, a, ContactSide::b, count, by_b).join();
+  InnerJoin(contacts, a, a_within, b, ContactSide::a, count, regions).join();
+  InnerJoin(contacts, b, b_within, a, ContactSide::b, first_of_b, regions).join();
+  struct Counts {
+    std::size_t curves = 0, by_a = 0, by_b = 0;
+  };
+  std::map<Index, Counts> of_regions;
+  for (Index i = 0; i < count; ++i) {
+    Counts& counts = of_regions[regions.leader(i)];
+    if (curves.leader(i) == i) ++counts.curves;
+    if (by_a.leader(i) == i) ++counts.by_a;
+    if (by_b.leader(i) == i) ++counts.by_b;
+  }
+  std::optional<ContactSide> side;
+  for (const auto& [leader, counts] : of_regions) {
+    if (counts.curves < 2) continue;
+    if (counts.by_a == counts.by_b) return {};
+    const ContactSide here = counts.by_a < counts.by_b ? ContactSide::a : ContactSide::b;
+    if (side && *side != here) return {};
+    side = here;
+  }
+  return side;
 }
 
 }  // namespace toccata

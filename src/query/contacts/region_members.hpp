@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct RegionMembers {
 /// The same for two solids, where a part of one's surface within the other also joins contacts: through vertices
 /// inside, or along a straight way within a triangle.
 [[nodiscard]] std::vector<RegionMembers> regions_of_solids(std::span<const Contact> contacts, VertexGraph& a,
+                                                           const SurfaceWithin& a_within, VertexGraph& b,
+                                                           const SurfaceWithin& b_within);
+
+/// Where the surfaces of two solids cross along several curves around one common part: the one whose surface leads from
+/// curve to curve within the other, as a rod's does within a plate, while the plate's within the rod are lids. None
+/// where neither does, or both, or one here and the other elsewhere.
+[[nodiscard]] std::optional<ContactSide> side_that_pierces(std::span<const Contact> contacts, VertexGraph& a,
                                                            const SurfaceWithin& a_within, VertexGraph& b,
                                                            const SurfaceWithin& b_within);
 

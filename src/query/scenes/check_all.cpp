@@ -17,12 +17,14 @@
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
 #include "query/posed_shape.hpp"
+#include "query/relation/relation_locality.hpp"
 #include "query/relation/relation_posed.hpp"
 #include "query/scenes/candidate_pairs.hpp"
 #include "query/scenes/check_wanted.hpp"
 #include "query/scenes/clearances.hpp"
 #include "query/scenes/posed_name.hpp"
 #include "query/scenes/task_reporter.hpp"
+#include "query/scenes/tolerance_verdict.hpp"
 #include "query/volume/solid_volume.hpp"
 #include "query/volume/winding_volume.hpp"
 #include "query/workspace_pool.hpp"
@@ -176,6 +178,7 @@ class Check {
     else
       answer_of_shapes(a, b, scratch, answer);
     answer.distance = distance_in(pair, workspace);
+    if (clearances_.is_asked()) answer.clearance = clearances_.of(pair);
     answer.kind = kind_of_clash(answer.relation);
     answer.common_box = common_box(world_box(a), world_box(b));
     if (answer.relation.kind == RelationKind::apart) {
@@ -184,7 +187,9 @@ class Check {
       return answer;
     }
     if (options_.penetration) add_depth(answer, workspace);
-    if (const auto tolerance = tolerance_of(pair)) answer.tolerance = verdict_on(answer, *tolerance, workspace);
+    if (const auto tolerance = tolerance_of(pair))
+      tell_verdict(answer, *tolerance,
+                   {models_[answer.a].model, models_[answer.b].model, query_of(answer), options_.depth}, workspace);
     if (options_.volume) add_volume(answer, workspace);
     return answer;
   }
@@ -199,32 +204,6 @@ class Check {
     return {a.pose, b.pose, a.solid, b.solid};
   }
 
-  /// Tells the depth by which it was decided.
-  [[nodiscard]] PairAnswer::Tolerance verdict_on(PairAnswer& answer, double tolerance, Workspace& workspace) const {
-    if (are_surely_touching(answer.relation)) return PairAnswer::Tolerance::none;
-    DepthOptions depth = options_.depth;
-    for (const double narrower : {1.0, 0x1p-3, 0x1p-7}) {
-      depth.precision = narrower * options_.depth.precision;
-      if (!answer.penetration || narrower < 1) find_depth(answer, depth, workspace);
-      if (!answer.penetration) return PairAnswer::Tolerance::undecided;
-      if (answer.penetration->upper <= tolerance) return PairAnswer::Tolerance::within;
-      if (answer.penetration->lower > tolerance) return PairAnswer::Tolerance::beyond;
-    }
-    return PairAnswer::Tolerance::undecided;
-  }
-
-  /// The narrower of what is known and what is found.
-  void find_depth(PairAnswer& answer, const DepthOptions& options, Workspace& workspace) const {
-    workspace.scratch().convex = {};  // it was another pair's
-    const auto depth = depth_where_defined(models_[answer.a].model, models_[answer.b].model, query_of(answer),
-                                           answer.relation, options, workspace);
-    if (!depth) return;
-    const auto width = [](const Penetration& known) { return known.upper - known.lower; };
-    if (answer.penetration && width(*answer.penetration) <= width(depth->penetration)) return;
-    answer.penetration = depth->penetration;
-    answer.depth_end = depth->end;
-  }
-
   /// With the point and, as far as it can be told, what kind of clash it is.
   void add_volume(PairAnswer& answer, Workspace& workspace) const {
     const PosedModel &a = posed_[answer.a], &b = posed_[answer.b];
@@ -235,21 +214,31 @@ class Check {
     }
     const CommonSolid common = common_solid(a, b, workspace.scratch());
     answer.volume = common.volume;
-    answer.common_point = common.point;
-    const bool are_meshes = only_mesh(a) != nullptr && only_mesh(b) != nullptr;
-    if (are_meshes && answer.regions.empty() && (!common.point || common.curve_count > 1)) {
-      const std::vector<ContactRegion> regions = regions_of(answer, workspace);
-      tell_kind(answer, regions);
-      if (!answer.common_point) answer.common_point = certain_point(regions);
-    } else if (answer.regions.empty() && is_open_kind(answer) && a.parts.size() == 1 && b.parts.size() == 1) {
-      answer.kind = common.curve_count > 1 ? PairAnswer::Kind::pierce : PairAnswer::Kind::protrude;
+    const PosedTriangles *mesh_a = only_mesh(a), *mesh_b = only_mesh(b);
+    if (mesh_a == nullptr || mesh_b == nullptr) {
+      answer.common_point = common.point;
+      if (is_open_kind(answer) && common.curve_count > 0) tell_kind(answer, common, common.curve_count > 1);
+      return;
     }
-    if (const auto deepest = certain_point(answer.regions)) answer.common_point = deepest;
+    std::vector<ContactRegion> found;
+    if (answer.regions.empty() && (!common.point || common.curve_count > 1)) found = regions_of(answer, workspace);
+    const std::vector<ContactRegion>& regions = answer.regions.empty() ? found : answer.regions;
+    if (is_open_kind(answer) && common.curve_count > 0)
+      tell_kind(answer, common, std::ranges::any_of(regions, passes_through));
+    answer.common_point = inner_point(regions, mesh_a->mesh, mesh_b->mesh);
+    if (!answer.common_point) answer.common_point = common.point;
   }
 
-  static std::optional<Vec3> certain_point(const std::vector<ContactRegion>& regions) {
-    const bool is_deep = !regions.empty() && regions[0].depth && regions[0].depth->lower > 0;
-    return is_deep ? std::optional(regions[0].deepest) : std::nullopt;
+  /// Off both surfaces, in the deepest region where one is found: half way across it, or where that is deepest.
+  static std::optional<Vec3> inner_point(const std::vector<ContactRegion>& regions, const PosedMesh& a,
+                                         const PosedMesh& b) {
+    for (const ContactRegion& region : regions) {
+      if (!region.depth || !(region.depth->lower > 0)) break;
+      const Vec3 half = (0.5 * region.depth->lower) * region.normal;
+      for (const Vec3& point : {region.deepest, region.deepest - half, region.deepest + half})
+        if (is_interior(point, a) && is_interior(point, b)) return point;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] std::vector<ContactRegion> regions_of(const PairAnswer& answer, Workspace& workspace) const {
@@ -260,13 +249,17 @@ class Check {
     return answer.kind == PairAnswer::Kind::overlap && answer.relation.containment == Containment::none;
   }
 
-  /// The kind of an overlap of two meshes, from its regions.
-  static void tell_kind(PairAnswer& answer, const std::vector<ContactRegion>& regions) {
-    if (!is_open_kind(answer) || regions.empty()) return;
-    const auto passes_through = [](const ContactRegion& region) {
-      return region.curve_count > 1 && region.depth && region.depth->upper > 0;
-    };
-    answer.kind = std::ranges::any_of(regions, passes_through) ? PairAnswer::Kind::pierce : PairAnswer::Kind::protrude;
+  static bool passes_through(const ContactRegion& region) {
+    return region.curve_count > 1 && region.depth && region.depth->upper > 0;
+  }
+
+  static void tell_kind(PairAnswer& answer, const CommonSolid& common, bool is_pierced) {
+    using Piercing = PairAnswer::Piercing;
+    answer.kind = is_pierced ? PairAnswer::Kind::pierce : PairAnswer::Kind::protrude;
+    if (!is_pierced) return;
+    answer.piercing = !common.pierces                     ? Piercing::unknown
+                      : *common.pierces == ContactSide::a ? Piercing::a_through_b
+                                                          : Piercing::b_through_a;
   }
 
   static PairAnswer::Kind kind_of_clash(const Relation& relation) {
@@ -321,10 +314,9 @@ class Check {
     SearchScratch& scratch = workspace.scratch();
     scratch.convex = {};  // it was another pair's
     answer.manifold = manifold_where_defined(a.model, b.model, query_of(answer), workspace);
-    find_depth(answer, options_.depth, workspace);
+    tell_depth(answer, {a.model, b.model, query_of(answer), options_.depth}, workspace);
     if (a.model.has_mesh() && b.model.has_mesh()) {
       answer.regions = regions_of(answer, workspace);
-      tell_kind(answer, answer.regions);
     } else if (!answer.manifold) {
       answer.manifolds = manifolds_of(posed_[answer.a], posed_[answer.b], scratch);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "query/ask.hpp"
+#include "query/contacts/region_members.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_body.hpp"
 #include "query/volume/common_surface.hpp"
@@ -30,7 +32,8 @@ enum class CommonWanted { volume, body };
 /// What two parts have in common, as a bracket, and where it is wanted as a body.
 struct CommonPiece {
   VolumeBracket volume;
-  std::size_t curve_count = 0;
+  std::size_t curve_count = 0;  ///< 0 where one of the two passes through itself there
+  std::optional<ContactSide> pierces{};
   std::optional<Vec3> middle{};
   std::optional<TriangleMesh> body{};
   const char* no_body = nullptr;  ///< why there is none, where there should be one
@@ -77,20 +80,35 @@ void add_body(CommonPiece& piece, CrossedSurfaces& surfaces, int winding_of_firs
   }
 }
 
+CommonPiece with_sides_exchanged(CommonPiece piece) {
+  if (piece.pierces) piece.pierces = *piece.pierces == ContactSide::a ? ContactSide::b : ContactSide::a;
+  return piece;
+}
+
+std::optional<ContactSide> piercing_side(const PosedMesh& a, const PosedMesh& b, std::span<const Contact> contacts) {
+  VertexGraph graph_a(a), graph_b(b);
+  const SurfaceWithin a_in_b(graph_a, b, contacts, ContactSide::a), b_in_a(graph_b, a, contacts, ContactSide::b);
+  return side_that_pierces(contacts, graph_a, a_in_b, graph_b, b_in_a);
+}
+
 CommonPiece common_piece(const PosedMesh& a, const PosedMesh& b, CommonWanted wanted, SearchScratch& scratch) {
   if (!overlap(a.box(), b.box())) return {};
-  if (!comes_first(a, b)) return common_piece(b, a, wanted, scratch);
+  if (!comes_first(a, b)) return with_sides_exchanged(common_piece(b, a, wanted, scratch));
   const Aabb region = common_box(a.box(), b.box());
   const auto winding_a = only_winding_in(a, region, scratch), winding_b = only_winding_in(b, region, scratch);
   if (winding_a == 0 || winding_b == 0) return {};
-  CrossedSurfaces surfaces(a, b, surface_contacts(a, b, scratch));
+  const auto contacts = surface_contacts(a, b, scratch);
+  CrossedSurfaces surfaces(a, b, contacts);
   const WindingVolume found = winding_volume(surfaces);
-  CommonPiece piece{{}, found.curve_count, found.middle};
+  CommonPiece piece;
+  piece.middle = found.middle;
   if (!winding_a || !winding_b) {
     piece.volume = volume_by_cells(a, b);
     piece.no_body = several_windings;
     return piece;
   }
+  piece.curve_count = found.curve_count;
+  if (wanted == CommonWanted::volume && found.curve_count > 1) piece.pierces = piercing_side(a, b, contacts);
   const BoundedNumber volume = found.integral / exactly(static_cast<double>(*winding_a) * *winding_b);
   piece.volume = narrower(volume_bracket_of(volume), {0, ceiling_of(bounded_volume(region))});
   if (wanted == CommonWanted::body) add_body(piece, surfaces, *winding_a, *winding_b);
@@ -129,7 +147,8 @@ std::vector<EnclosedPart> enclosed_parts(const PosedModel& model, const PosedMod
 CommonPiece piece_of(const EnclosedPart& a, const EnclosedPart& b, CommonWanted wanted, SearchScratch& scratch) {
   if (!a.is_enclosed || !b.is_enclosed) {
     if (!overlap(a.box, b.box)) return {};
-    CommonPiece piece{{0, ceiling_of(bounded_volume(common_box(a.box, b.box)))}};
+    CommonPiece piece;
+    piece.volume = {0, ceiling_of(bounded_volume(common_box(a.box, b.box)))};
     piece.no_body = "one is so small or so thin that nothing but its box is known";
     return piece;
   }
@@ -189,7 +208,10 @@ class CommonParts {
       volume.upper = std::nextafter(volume.upper * (1 + 0x1p-40), infinity);
       if (are_apart()) volume.lower = sum_of_lowers();
     }
-    if (pieces_.size() == 1) result.curve_count = pieces_[0].curve_count;
+    if (pieces_.size() == 1) {
+      result.curve_count = pieces_[0].curve_count;
+      result.pierces = pieces_[0].pierces;
+    }
     result.volume = {volume.lower, volume.upper, volume_status(volume)};
     result.point = point_;
     return result;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "query/contacts/surface_within.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/query/overlap.hpp"
@@ -14,8 +15,9 @@ namespace toccata {
 struct CommonSolid {
   OverlapVolume volume;
   /// For two that are not compounds: closed curves along which the surfaces cross, for what is round those of the
-  /// polyhedra within; 0 where that was not found out.
+  /// polyhedra within; 0 where that was not found out: then a surface may lie inside its solid.
   std::size_t curve_count = 0;
+  std::optional<ContactSide> pierces{};  ///< where there are several: the one that goes through the other, if one does
   std::optional<Vec3> point;  ///< certainly of both, closed; none where none was found
 };
 

@@ -170,6 +170,7 @@ class BodiesInTurn {
   OverlapBodiesGlb done(const ViewOptions& view, const std::string& unit) {
     glb_.add_group("overlap bodies", with_body_);
     glb_.add_group("without a body", without_);
+    if (report_.unfinished > 0) glb_.add_stopped(report_.unfinished);
     auto [writer, root] = std::move(glb_).take(view, unit);
     result_.bodies = with_body_.size();
     result_.write = [file = std::make_shared<const GlbWriter>(std::move(writer)),

@@ -102,6 +102,11 @@ void GlbScene::add_group(const std::string& name, const std::vector<std::size_t>
   if (!children.empty()) groups_.push_back(add_parent(name, children));
 }
 
+void GlbScene::add_stopped(std::size_t unfinished) {
+  const std::string name = fmt::format("stopped: {} pair{} not looked at", unfinished, unfinished == 1 ? "" : "s");
+  add_group("not all", {add_node(name, {}, {}, {{"extras", {{"unfinished", unfinished}}}})});
+}
+
 std::size_t GlbScene::add_moved(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more) {
   return node_at(name, pose_between({}, pose, own), more);
 }

@@ -71,6 +71,8 @@ class GlbScene {
   std::size_t add_node(const std::string& name, const Pose& pose, const GlbFrame& own, const Json& more);
   std::size_t add_parent(const std::string& name, const std::vector<std::size_t>& children);
   void add_group(const std::string& name, const std::vector<std::size_t>& children);
+  /// A node without a mesh that tells how many pairs were not looked at.
+  void add_stopped(std::size_t unfinished);
 
   // Answers about many poses: one a frame of 24 a second, all in one animation.
 

@@ -31,7 +31,8 @@ using io::document;
 using io::json_of;
 using io::json_of_length;
 
-constexpr std::string_view volume_fields = ",kind,volume_lower,volume_upper,point_x,point_y,point_z";
+constexpr std::string_view volume_fields = ",kind,volume_lower,volume_upper,point_x,point_y,point_z,piercing";
+constexpr std::string_view tolerance_fields = ",tolerance,tolerance_by,local_depth_lower,local_depth_upper";
 
 constexpr std::array<std::string_view, 11> distance_fields = {
     "lower", "upper", "on_a_x", "on_a_y", "on_a_z", "on_b_x", "on_b_y", "on_b_z", "face_a", "face_b", "status"};
@@ -77,8 +78,9 @@ void add_boxes(io::Json& json, std::vector<io::Json> boxes) {
 void add_tolerance_and_groups(io::Json& json, const Scene& scene, const CheckReport& report) {
   if (report.tolerance) {
     json["tolerance"] = *report.tolerance;
-    json["within_tolerance"] = std::count_if(report.pairs.begin(), report.pairs.end(),
-                                             [](const ReportedPair& pair) { return !is_clash(pair); });
+    json["within_tolerance"] = std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedPair& pair) {
+      return pair.tolerance == ToleranceVerdict::within;
+    });
   }
   if (report.grouping == ClashGrouping::none) return;
   json["group_by"] = name_of(report.grouping);
@@ -102,6 +104,14 @@ void add_common_volume(io::Json& line, const ReportedPair& pair) {
                                           {"status", name_of(pair.volume->status)}}
                                : io::Json();
   line["point"] = pair.common_point ? io::json_of(*pair.common_point) : io::Json();
+  if (pair.piercing != ClashPiercing::none) line["piercing"] = name_of(pair.piercing);
+}
+
+/// How an overlap stands to its tolerance, and by which depth.
+void add_verdict(io::Json& line, const ReportedPair& pair) {
+  line["tolerance"] = name_of(pair.tolerance);
+  if (const std::string by = tolerance_decided_by(pair); !by.empty()) line["tolerance_by"] = by;
+  if (pair.local_depth) line["local_depth"] = {{"lower", pair.local_depth->lower}, {"upper", pair.local_depth->upper}};
 }
 
 /// How a pair stands against the baseline; with what it was, where that was something else, and how far it has moved.
@@ -132,7 +142,7 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   } else if (pair.tolerance != ToleranceVerdict::none) {
     line["penetration"] = pair.penetration ? json_of(*pair.penetration, pair.depth_end) : io::Json();
   }
-  if (pair.tolerance != ToleranceVerdict::none) line["tolerance"] = name_of(pair.tolerance);
+  if (pair.tolerance != ToleranceVerdict::none) add_verdict(line, pair);
   if (report.has_volume) add_common_volume(line, pair);
   if (report.clearance && pair.distance) io::add(line["distance"] = io::Json::object(), *pair.distance);
   if (pair.winding)
@@ -154,7 +164,7 @@ std::string csv_names(const Scene& scene, const ReportedPair& pair) {
 std::string csv_end_names(const CheckReport& report) {
   std::string names = io::csv_penetration_head(report.has_penetration || report.tolerance);
   names.pop_back();
-  if (report.tolerance) names += ",tolerance";
+  if (report.tolerance) names += tolerance_fields;
   if (report.has_volume) names += volume_fields;
   if (report.clearance)
     for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
@@ -180,11 +190,15 @@ std::string csv_of_volume(const ReportedPair& pair) {
   const std::string point =
       pair.common_point ? fmt::format("{},{},{}", pair.common_point->x, pair.common_point->y, pair.common_point->z)
                         : std::string(",,");
-  return "," + name_of(pair.kind) + "," + volume + "," + point;
+  return "," + name_of(pair.kind) + "," + volume + "," + point + "," +
+         (pair.piercing == ClashPiercing::none ? "" : name_of(pair.piercing));
 }
 
 std::string csv_of_tolerance(const ReportedPair& pair) {
-  return "," + (pair.tolerance == ToleranceVerdict::none ? "" : name_of(pair.tolerance));
+  const auto end = [](double depth) { return std::isfinite(depth) ? fmt::format("{}", depth) : ""; };
+  return "," + (pair.tolerance == ToleranceVerdict::none ? "" : name_of(pair.tolerance)) + "," +
+         tolerance_decided_by(pair) + "," +
+         (pair.local_depth ? end(pair.local_depth->lower) + "," + end(pair.local_depth->upper) : ",");
 }
 
 /// The number of the group of each pair, from 1.
@@ -207,8 +221,12 @@ std::string csv_end(const CheckReport& report, const ReportedPair& pair, std::si
 /// what `csv_end` tells.
 std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
   std::string csv;
-  const std::size_t between = (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? 1 : 0) +
-                              (report.has_volume ? 6 : 0) + (report.clearance ? distance_fields.size() : 0);
+  const auto count_of = [](std::string_view fields) {
+    return static_cast<std::size_t>(std::count(fields.begin(), fields.end(), ','));
+  };
+  const std::size_t between =
+      (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? count_of(tolerance_fields) : 0) +
+      (report.has_volume ? count_of(volume_fields) : 0) + (report.clearance ? distance_fields.size() : 0);
   for (const GonePair& pair : report.gone)
     csv += fmt::format("{},{},{}{},gone,{},{},{}\n", csv_field(io::as_utf8(pair.was.a)),
                        csv_field(io::as_utf8(pair.was.b)), name_of(pair.reason),
@@ -488,6 +506,7 @@ struct CheckKind {
       if (pair.distance) nodes.add_distance({pair.a, pair.b}, *pair.distance);
     }
     nodes.glb().add_group("pairs", nodes.nodes());
+    if (report.unfinished > 0) nodes.glb().add_stopped(report.unfinished);
   }
 
   static std::vector<io::NamedObjects> named(const CheckReport& report) {
