@@ -50,13 +50,16 @@ BroadPhaseOptions options_of(const std::string& method, int threads) {
   return {.method = broad_phase_method(method), .threads = threads};
 }
 
-/// overlapping_pairs, which `look` may end by what it throws: it is called for some of the pairs that are found.
+/// overlapping_pairs, which `look` may end by what it throws: it is called now and then as pairs are found.
 std::vector<IndexPair> looking_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
                                      const Progress& look) {
+  constexpr unsigned between = 512;  // pairs, of which millions are found in a tenth of a second
   std::exception_ptr ending;
   std::atomic<bool> ended = false;
   const auto asker = std::this_thread::get_id();
   const auto looked_for = [&](const IndexPair&) {
+    thread_local unsigned seen = 0;
+    if (++seen % between != 0) return true;
     if (std::this_thread::get_id() == asker && !ended) try {
         look(0, 0);
       } catch (...) {
@@ -82,9 +85,7 @@ std::size_t boxes_in_use(const BroadPhase& phase) {
 
 std::vector<IndexPair> kept(std::span<const IndexPair> pairs) { return {pairs.begin(), pairs.end()}; }
 
-}  // namespace
-
-void bind_boxes(nb::module_& module) {
+void bind_overlapping_pairs(nb::module_& module) {
   module.def(
       "overlapping_pairs",
       [](const ArrayLike& boxes, const std::string& method, int threads) {
@@ -100,6 +101,9 @@ void bind_boxes(nb::module_& module) {
       "'sort-and-sweep' …) find the same. Raises "
       "Error "
       "naming a box of which a side is no number.");
+}
+
+void bind_broad_phase(nb::module_& module) {
   nb::class_<HeldBoxes> bound(module, "BroadPhase",
                               R"(Boxes that move, and the pairs of them that overlap; touching counts.
 
@@ -146,7 +150,7 @@ uses it at a time. Raises Error for a method that there is not.)");
           [](const HeldBoxes& held) {
             return index_pairs_told(held.with([](BroadPhase& phase) { return kept(phase.update()); }));
           },
-          "The pairs of the boxes as they are now, shape (K, 2), ascending.")
+          "The pairs of the boxes as they are now, shape (K, 2), ascending. Ctrl-C is taken when they are found.")
       .def(
           "changes",
           [](const HeldBoxes& held) {
@@ -169,6 +173,13 @@ uses it at a time. Raises Error for a method that there is not.)");
         });
       });
   bind_refusal(bound, "keep the boxes, and add its boxes to a new BroadPhase");
+}
+
+}  // namespace
+
+void bind_boxes(nb::module_& module) {
+  bind_overlapping_pairs(module);
+  bind_broad_phase(module);
 }
 
 }  // namespace toccata::python

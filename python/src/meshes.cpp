@@ -168,7 +168,8 @@ void bind_hulls(nb::module_& module) {
       "The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, "
       "in "
       "the unit of the coordinates. "
-      "Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has "
+      "It is found in one go: Ctrl-C is taken when it is. Raises Error when they have no point in common, naming at "
+      "most four that have none, and when it is flat or has "
       "no "
       "end.");
   module.def(

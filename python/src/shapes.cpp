@@ -581,35 +581,7 @@ void bind_compound(nb::module_& module) {
   bind_pickling(bound, [](const Parts& compound) { return nb::make_tuple(parts_of(compound)); });
 }
 
-}  // namespace
-
-std::string_view how_made(nb::handle given) {
-  const bool is_mesh = nb::hasattr(given, "vertices") && nb::hasattr(given, "faces");
-  return is_mesh ? "; toccata.Mesh(it) makes one of a mesh of trimesh or the like" : "";
-}
-
-Models models_of(nb::handle given, std::string_view what) {
-  if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
-  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them{}", what, how_made(given)));
-  Models models;
-  for (const nb::handle shape : given) {
-    if (!nb::isinstance<AnyShape>(shape))
-      throw Error(fmt::format("{}: entry {} is no shape{}", what, models.each.size(), how_made(shape)));
-    models.each.push_back(nb::cast<const AnyShape&>(shape).model);
-  }
-  return models;
-}
-
-nb::object shape_object(const Model& model) {
-  return std::visit([&]<class S>(const S&) { return nb::cast(ShapeOf<S>{AnyShape{model}}); }, model.shape());
-}
-
-void bind_shapes(nb::module_& module) {
-  nb::enum_<Solid>(module, "Solid", "What a mesh is taken for.")
-      .value("automatic", Solid::automatic, "Closed meshes are solids, open ones surfaces.")
-      .value("all", Solid::all, "It must be a solid: an open mesh is an error.")
-      .value("none", Solid::none, "A surface.");
-  bind_answer<MeshHealth>(module);
+void bind_base(nb::module_& module) {
   nb::class_<AnyShape> bound(
       module, "Shape",
       "What all shapes have in common. A shape is made once, may be shared by threads, and is asked about "
@@ -636,6 +608,9 @@ void bind_shapes(nb::module_& module) {
       .def("__repr__",
            [](const AnyShape& shape) { return fmt::format("<toccata.Shape: {}>", name_of(shape.model.shape())); });
   bind_copying(bound);
+}
+
+void bind_plain_shapes(nb::module_& module) {
   bind_described<Point>(
       module, "Point",
       "One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.");
@@ -673,6 +648,39 @@ void bind_shapes(nb::module_& module) {
       module, "Ellipsoid",
       "A solid ellipsoid around the origin of its own frame, its half axes, shape (3,), along the axes, in any unit. "
       "Raises Error when one is not positive and finite.");
+}
+
+}  // namespace
+
+std::string_view how_made(nb::handle given) {
+  const bool is_mesh = nb::hasattr(given, "vertices") && nb::hasattr(given, "faces");
+  return is_mesh ? "; toccata.Mesh(it) makes one of a mesh of trimesh or the like" : "";
+}
+
+Models models_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
+  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them{}", what, how_made(given)));
+  Models models;
+  for (const nb::handle shape : given) {
+    if (!nb::isinstance<AnyShape>(shape))
+      throw Error(fmt::format("{}: entry {} is no shape{}", what, models.each.size(), how_made(shape)));
+    models.each.push_back(nb::cast<const AnyShape&>(shape).model);
+  }
+  return models;
+}
+
+nb::object shape_object(const Model& model) {
+  return std::visit([&]<class S>(const S&) { return nb::cast(ShapeOf<S>{AnyShape{model}}); }, model.shape());
+}
+
+void bind_shapes(nb::module_& module) {
+  nb::enum_<Solid>(module, "Solid", "What a mesh is taken for.")
+      .value("automatic", Solid::automatic, "Closed meshes are solids, open ones surfaces.")
+      .value("all", Solid::all, "It must be a solid: an open mesh is an error.")
+      .value("none", Solid::none, "A surface.");
+  bind_answer<MeshHealth>(module);
+  bind_base(module);
+  bind_plain_shapes(module);
   bind_hull(module);
   bind_rounded(module);
   bind_height_field(module);

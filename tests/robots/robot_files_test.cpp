@@ -145,12 +145,12 @@ TEST_F(UrdfFile, OddSizesAreWarnedOf) {
 TEST_F(UrdfFile, ANumberThatIsNoneIsToldWithItsJointAndLine) {
   const std::string mimic = "multiplier=\"0.1\" offset=\"0.2\"";
   EXPECT_EQ(fault(mimic, "multiplier=\"fast\""),
-            "robot.urdf:23: joint 'slide': <mimic>: multiplier value (fast) is not a valid float");
+            "robot.urdf:22: joint 'slide': <mimic>: multiplier value (fast) is not a valid float");
   EXPECT_EQ(fault(mimic, "offset=\"near\""),
-            "robot.urdf:23: joint 'slide': <mimic>: offset value (near) is not a valid float");
+            "robot.urdf:22: joint 'slide': <mimic>: offset value (near) is not a valid float");
   for (const char* number : {"nan", "1e999", "", "1 2"}) {
     const std::string told = fault(mimic, fmt::format("multiplier=\"{}\"", number));
-    EXPECT_TRUE(told.starts_with("robot.urdf:23: joint 'slide'")) << told;
+    EXPECT_TRUE(told.starts_with("robot.urdf:22: joint 'slide'")) << told;
   }
 }
 
@@ -178,7 +178,7 @@ TEST_F(UrdfFile, AttributesThatAreNotReadAreWarnedOf) {
   ASSERT_EQ(file.warnings.size(), 3U);
   EXPECT_EQ(file.warnings[1], "line 15: joint 'turn': the attribute rpi of <origin> is not read; did you mean 'rpy'?");
   EXPECT_EQ(file.warnings[2],
-            "line 23: joint 'slide': the attribute multipler of <mimic> is not read; did you mean 'multiplier'?");
+            "line 22: joint 'slide': the attribute multipler of <mimic> is not read; did you mean 'multiplier'?");
   // Where urdfdom does not read it, it is told; where it does, the joint turns.
   text = small_urdf;
   const std::string radians = "rpy=\"0 1.5707963267948966 0\"";
@@ -186,7 +186,8 @@ TEST_F(UrdfFile, AttributesThatAreNotReadAreWarnedOf) {
   const RobotFile by_quaternion = read(text);
   const bool is_read = by_quaternion.description.joints[0].origin.linear[0].x == -1;
   ASSERT_EQ(by_quaternion.warnings.size(), is_read ? 1U : 2U);
-  if (!is_read) EXPECT_TRUE(tells(by_quaternion.warnings[1], "the attribute quat_xyzw of <origin> is not read; write"));
+  EXPECT_TRUE(is_read ||
+              tells(by_quaternion.warnings.back(), "the attribute quat_xyzw of <origin> is not read; write"));
 }
 
 TEST_F(UrdfFile, ACollisionThatIsNotUnderstoodIsAnErrorAndNotLeftOut) {

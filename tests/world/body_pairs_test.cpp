@@ -131,7 +131,7 @@ struct Robot {
 TEST(BodyPairs, AnyOverlapLooksAtAllWhateverTheyAre) {
   bool has_met = false, has_not = false;
   for (int round = 0; round < 60; ++round) {
-    test::Random random(static_cast<std::uint64_t>(round) + 1);
+    Random random(static_cast<std::uint64_t>(round) + 1);
     World world;
     for (int i = 0; i < 12; ++i) {
       const Vec3 at = test::vector_in(random, 0, 9);
