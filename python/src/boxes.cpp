@@ -172,7 +172,7 @@ uses it at a time. Raises Error for a method that there is not.)");
           return fmt::format("<toccata.BroadPhase of {} boxes>", boxes_in_use(phase));
         });
       });
-  bind_refusal(bound, "keep the boxes, and add its boxes to a new BroadPhase");
+  bind_refusal(bound, "keep the boxes where they come from, and add them to a new BroadPhase");
 }
 
 }  // namespace

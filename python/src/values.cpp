@@ -37,7 +37,8 @@ nb::object copied(nb::handle self, nb::handle memo) {
 
 void refuse_pickling(nb::handle self, const char* instead) {
   const auto name = nb::cast<std::string>(self.type().attr("__name__"));
-  throw nb::type_error(fmt::format("a {} cannot be pickled or copied so: {}", name, instead).c_str());
+  const char* copied_too = nb::hasattr(self.type(), "__copy__") ? "" : " or copied";
+  throw nb::type_error(fmt::format("a {} cannot be pickled{}: {}", name, copied_too, instead).c_str());
 }
 
 }  // namespace toccata::python

@@ -95,7 +95,7 @@ BY_IDENTITY = {
     "SceneIndex": "it is made ready for questions: compare its objects",
 }
 # These are not pickled, and what their TypeError says to do.
-REFUSED = {"BroadPhase": "add its boxes", "DistanceCache": "make a new one", "World": "add"}
+REFUSED = {"BroadPhase": "pickled or copied: .* add them", "DistanceCache": "pickled or copied: make a new one", "World": "pickled: copy.copy .* add them"}
 COPIED_ONLY = {"World"}
 
 
@@ -188,12 +188,38 @@ def test_slots_and_states_of_a_derived_class_are_kept():
         assert type(again) is WithState and again.state == "kept" and again.radius == 2
 
 
+def test_what_python_3_10_keeps_is_what_later_ones_do():
+    class Both(Slotted):
+        """With slots and with attributes."""
+
+    from toccata._values import _state_before_python_3_11
+
+    both, plain, slotted = Both(1), DERIVED["Sphere"].__new__(DERIVED["Sphere"]), Slotted(2)
+    both.label, both.number, plain.name = "mine", 3, "plain"
+    for value in (both, plain, slotted, BALL):
+        told = _state_before_python_3_11(value)
+        assert told == (value.__getstate__() if hasattr(object, "__getstate__") else told)
+
+
 def test_what_a_derived_mesh_shares_is_not_copied():
     class Part(toccata.Mesh):
         pass
 
     part = Part(CUBE.vertices, CUBE.faces)
     assert numpy.shares_memory(copy.copy(part).vertices, part.vertices)
+
+
+def test_a_derived_world_is_copied_with_its_class():
+    class Level(toccata.World):
+        name = "none"
+
+    level = Level()
+    level.add(BOX)
+    level.name = "first"
+    for again in (copy.copy(level), copy.deepcopy(level)):
+        assert type(again) is Level and again.name == "first" and len(again) == 1
+        again.add(BOX)
+        assert len(level) == 1
 
 
 def test_robots_with_all_that_they_hold():

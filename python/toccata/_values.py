@@ -27,7 +27,18 @@ def _added(value: object) -> Any:
     """What a derived class has beside, as pickle tells it: None, a dict, or a dict and another of slots."""
     if hasattr(value, "__getstate__"):
         return value.__getstate__()
-    return getattr(value, "__dict__", None)  # before Python 3.11
+    return _state_before_python_3_11(value)
+
+
+def _state_before_python_3_11(value: object) -> Any:
+    """What object.__getstate__ tells since."""
+    own, slots = getattr(value, "__dict__", None), {}
+    for kind in type(value).__mro__:
+        names = vars(kind).get("__slots__", ())
+        for name in (names,) if isinstance(names, str) else names:
+            if name not in ("__dict__", "__weakref__") and hasattr(value, name):
+                slots[name] = getattr(value, name)
+    return (own, slots) if slots else own
 
 
 def give_added(made: Any, value: object, memo: dict[int, object] | None) -> None:

@@ -80,7 +80,7 @@ std::vector<std::optional<BodyPairAnswer<Distance>>> WorldQueries::least_distanc
 
 namespace {
 
-bool do_overlap(const WorldBodies& bodies, Index i, Index j, Workspace& workspace) {
+bool bodies_overlap(const WorldBodies& bodies, Index i, Index j, Workspace& workspace) {
   const InstanceView a = bodies.at(i), b = bodies.at(j);
   try {
     return overlap(a.model, b.model, {a.pose, b.pose, a.solid, b.solid}, workspace);
@@ -90,7 +90,7 @@ bool do_overlap(const WorldBodies& bodies, Index i, Index j, Workspace& workspac
 }
 
 /// The axis along which the boxes begin farthest apart.
-int longest_axis_of(std::span<const Aabb> boxes) {
+int axis_of_box_begins(std::span<const Aabb> boxes) {
   int longest = 0;
   double length = -1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -118,7 +118,7 @@ struct BoxBegin {
 bool any_overlap(const World& world) {
   const WorldBodies bodies{&world, world.revision()};
   const std::span<const Aabb> boxes = world.boxes();
-  const int axis = longest_axis_of(boxes);
+  const int axis = axis_of_box_begins(boxes);
   std::vector<BoxBegin> sorted;
   sorted.reserve(boxes.size());
   for (Index i = 0; i < boxes.size(); ++i)
@@ -128,7 +128,8 @@ bool any_overlap(const World& world) {
   for (auto first = sorted.begin(); first != sorted.end(); ++first) {
     const Aabb& box = boxes[first->body];
     for (auto second = first + 1; second != sorted.end() && second->at <= box.upper[axis]; ++second)
-      if (overlap(box, boxes[second->body]) && do_overlap(bodies, first->body, second->body, workspace)) return true;
+      if (overlap(box, boxes[second->body]) && bodies_overlap(bodies, first->body, second->body, workspace))
+        return true;
   }
   return false;
 }
@@ -140,7 +141,7 @@ bool WorldQueries::any_overlap() const {
   for (Index i = 0; i < boxes_.size() && !found; ++i) {
     if (is_empty(boxes_.box(i))) continue;
     boxes_.visit_overlapping(boxes_.box(i), [&](Index j) {
-      found = j > i && do_overlap(objects_, i, j, workspace);
+      found = j > i && bodies_overlap(objects_, i, j, workspace);
       return !found;
     });
   }
