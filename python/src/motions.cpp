@@ -268,13 +268,12 @@ void bind_manners_of_motions(BoundMotion& bound) {
       .def(
           "__eq__",
           [](nb::handle_t<HeldMotion> self, const nb::object& other) {
-            return self.is(other) ||
-                   (nb::isinstance<HeldMotion>(other) &&
-                    equal_pieces(nb::cast<const HeldMotion&>(self), nb::cast<const HeldMotion&>(other)));
+            return self.is(other) || (nb::isinstance<HeldMotion>(other) &&
+                                      equal_pieces(made_value<HeldMotion>(self), made_value<HeldMotion>(other)));
           },
           nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
       .def("__hash__", [](nb::handle_t<HeldMotion> self) {
-        const HeldMotion& motion = nb::cast<const HeldMotion&>(self);
+        const HeldMotion& motion = made_value<HeldMotion>(self);
         return motion.pieces().empty() ? nb::hash(nb::int_(reinterpret_cast<std::uintptr_t>(self.ptr())))
                                        : nb::hash(nb::tuple(pieces_of(motion)));
       });

@@ -28,7 +28,14 @@ nb::object reduced_to_state(nb::handle self) {
   return nb::make_tuple(made, nb::make_tuple(self.type()), self.attr("__getstate__")());
 }
 
+void require_made(nb::handle self) {
+  if (nb::inst_ready(self)) return;
+  const auto name = nb::cast<std::string>(self.type().attr("__name__"));
+  throw nb::type_error(fmt::format("this {} was never made: its class's __init__ was not called", name).c_str());
+}
+
 nb::object copied(nb::handle self, nb::handle memo) {
+  require_made(self);
   nb::object made = nb::inst_alloc(self.type());
   nb::inst_copy(made, self);
   if (has_more(self)) helper("give_added")(made, self, memo.is_valid() ? nb::borrow(memo) : nb::none());

@@ -36,11 +36,20 @@ struct Making {
 /// Raises TypeError.
 [[noreturn]] void refuse_pickling(nb::handle self, const char* instead);
 
+/// Raises TypeError for an object that was never made: by __new__ alone.
+void require_made(nb::handle self);
+
+template <class Value>
+const Value& made_value(nb::handle self) {
+  require_made(self);
+  return nb::cast<const Value&>(self);
+}
+
 /// `making(value)` tells the arguments of its class.
 template <class Value, class... Rest, class Make>
 void bind_pickling(nb::class_<Value, Rest...>& bound, const Make& making) {
   bound.def("__reduce__", [making](nb::handle_t<Value> self) {
-    return reduced(self, nb::type<Value>(), Making(making(nb::cast<const Value&>(self))));
+    return reduced(self, nb::type<Value>(), Making(making(made_value<Value>(self))));
   });
 }
 
