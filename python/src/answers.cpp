@@ -42,6 +42,12 @@ nb::object dtype_of(std::span<const Member> members, std::size_t size) {
   return nb::module_::import_("numpy").attr("dtype")(told);
 }
 
+nb::object bytes_of_rows(nb::handle rows, const nb::object& dtype, const char* what) {
+  if (!nb::ndarray_check(rows) || !rows.attr("dtype").equal(dtype) || nb::cast<int>(rows.attr("ndim")) != 1)
+    throw Error(fmt::format("{}: these are no rows of the array that it is told by", what));
+  return nb::module_::import_("numpy").attr("ascontiguousarray")(rows).attr("view")("u1");
+}
+
 Answers structured(const nb::capsule& owner, std::byte* data, std::size_t bytes, const nb::object& dtype) {
   if (bytes == 0) return nb::borrow<Answers>(nb::module_::import_("numpy").attr("zeros")(0, dtype));
   const nb::object memory =

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <new>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "values.hpp"
 
 // Answers are described once, member by member: from that follow their class in Python, how they print, compare and
 // pickle, and, of many, the structured array over their memory.
@@ -193,12 +195,13 @@ nb::class_<Answer> bind_answer(nb::module_& module) {
             return nb::isinstance<Answer>(other) &&
                    state_of(members, bytes(answer)).equal(state_of(members, bytes(nb::cast<const Answer&>(other))));
           },
-          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__getstate__", [bytes](const Answer& answer) { return state_of(members, bytes(answer)); })
-      .def("__setstate__", [](Answer& answer, const nb::tuple& state) {
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
+  bind_state(
+      bound, [bytes](const Answer& answer) { return state_of(members, bytes(answer)); },
+      [](const nb::tuple& state) {
         Answer told{};
         set_state(Described<Answer>::name, members, reinterpret_cast<std::byte*>(&told), state);
-        new (&answer) Answer(std::move(told));
+        return told;
       });
   bound.attr("__hash__") = nb::none();
   return bound;
@@ -214,6 +217,20 @@ nb::object dtype_of() {
     if (kept == nullptr) kept = made.release().ptr();
   }
   return nb::borrow(kept);
+}
+
+/// The memory of an array's rows. Throws Error, beginning with `what`, where they are of another type.
+[[nodiscard]] nb::object bytes_of_rows(nb::handle rows, const nb::object& dtype, const char* what);
+
+/// Answers told back by a structured array, as `structured` tells them.
+template <class Answer>
+std::vector<Answer> answers_of(nb::handle rows, const char* what) {
+  static_assert(std::is_trivially_copyable_v<Answer>);
+  const nb::object memory = bytes_of_rows(rows, dtype_of<Answer>(), what);
+  const auto bytes = nb::cast<nb::ndarray<const std::uint8_t, nb::ro, nb::c_contig, nb::device::cpu>>(memory);
+  std::vector<Answer> answers(bytes.size() / sizeof(Answer));
+  if (!answers.empty()) std::memcpy(static_cast<void*>(answers.data()), bytes.data(), bytes.size());
+  return answers;
 }
 
 /// Memory that holds answers, as a structured array.

@@ -1,9 +1,13 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
+#include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,6 +19,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 namespace {
@@ -45,17 +50,49 @@ BroadPhaseOptions options_of(const std::string& method, int threads) {
   return {.method = broad_phase_method(method), .threads = threads};
 }
 
+/// overlapping_pairs, which `look` may end by what it throws: it is called now and then as pairs are found.
+std::vector<IndexPair> looking_pairs(std::span<const Aabb> boxes, const BroadPhaseOptions& options,
+                                     const Progress& look) {
+  constexpr unsigned between = 512;  // pairs, of which millions are found in a tenth of a second
+  std::exception_ptr ending;
+  std::atomic<bool> ended = false;
+  const auto asker = std::this_thread::get_id();
+  const auto looked_for = [&](const IndexPair&) {
+    thread_local unsigned seen = 0;
+    if (++seen % between != 0) return true;
+    if (std::this_thread::get_id() == asker && !ended) try {
+        look(0, 0);
+      } catch (...) {
+        ending = std::current_exception();
+        ended = true;
+      }
+    if (ended) throw Error("ended");  // on all threads
+    return true;
+  };
+  try {
+    return overlapping_pairs(boxes, options, looked_for);
+  } catch (...) {
+    if (ended) std::rethrow_exception(ending);
+    throw;
+  }
+}
+
+std::size_t boxes_in_use(const BroadPhase& phase) {
+  std::size_t count = 0;
+  for (Index number = 0; number < phase.size(); ++number) count += phase.in_use(number) ? 1 : 0;
+  return count;
+}
+
 std::vector<IndexPair> kept(std::span<const IndexPair> pairs) { return {pairs.begin(), pairs.end()}; }
 
-}  // namespace
-
-void bind_boxes(nb::module_& module) {
+void bind_overlapping_pairs(nb::module_& module) {
   module.def(
       "overlapping_pairs",
       [](const ArrayLike& boxes, const std::string& method, int threads) {
         const std::vector<Aabb> given = boxes_of(boxes, "boxes");
         const BroadPhaseOptions options = options_of(method, threads);
-        return index_pairs_told(without_lock([&] { return overlapping_pairs(given, options); }));
+        return index_pairs_told(Interruptible(threads).ask(
+            [&](const BatchOptions& batch) { return looking_pairs(given, options, batch.progress); }));
       },
       nb::arg("boxes"), nb::kw_only(), nb::arg("method") = "auto", nb::arg("threads") = all_threads,
       "Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. "
@@ -64,10 +101,15 @@ void bind_boxes(nb::module_& module) {
       "'sort-and-sweep' …) find the same. Raises "
       "Error "
       "naming a box of which a side is no number.");
-  nb::class_<HeldBoxes>(module, "BroadPhase", R"(Boxes that move, and the pairs of them that overlap; touching counts.
+}
+
+void bind_broad_phase(nb::module_& module) {
+  nb::class_<HeldBoxes> bound(module, "BroadPhase",
+                              R"(Boxes that move, and the pairs of them that overlap; touching counts.
 
 Boxes have the shape (N, 2, 3), in the world and any unit, and numbers that stay theirs until they are removed. One thread
-uses it at a time. Raises Error for a method that there is not.)")
+uses it at a time. Raises Error for a method that there is not.)");
+  bound
       .def(
           "__init__",
           [](HeldBoxes* place, const std::string& method, int threads) {
@@ -108,7 +150,7 @@ uses it at a time. Raises Error for a method that there is not.)")
           [](const HeldBoxes& held) {
             return index_pairs_told(held.with([](BroadPhase& phase) { return kept(phase.update()); }));
           },
-          "The pairs of the boxes as they are now, shape (K, 2), ascending.")
+          "The pairs of the boxes as they are now, shape (K, 2), ascending. Ctrl-C is taken when they are found.")
       .def(
           "changes",
           [](const HeldBoxes& held) {
@@ -124,7 +166,20 @@ uses it at a time. Raises Error for a method that there is not.)")
           },
           "That of the last update, never 'auto'.")
       .def("__len__",
-           [](const HeldBoxes& held) { return held.with([](const BroadPhase& phase) { return phase.size(); }); });
+           [](const HeldBoxes& held) { return held.with([](const BroadPhase& phase) { return phase.size(); }); })
+      .def("__repr__", [](const HeldBoxes& held) {
+        return held.with([](const BroadPhase& phase) {
+          return fmt::format("<toccata.BroadPhase of {} boxes>", boxes_in_use(phase));
+        });
+      });
+  bind_refusal(bound, "keep the boxes where they come from, and add them to a new BroadPhase");
+}
+
+}  // namespace
+
+void bind_boxes(nb::module_& module) {
+  bind_overlapping_pairs(module);
+  bind_broad_phase(module);
 }
 
 }  // namespace toccata::python

@@ -9,6 +9,7 @@
 
 #include "described.hpp"
 #include "pair_arguments.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 namespace {
@@ -29,13 +30,13 @@ struct HeldCache {
 }  // namespace
 
 void bind_caches(nb::module_& module) {
-  nb::class_<HeldCache>(
+  nb::class_<HeldCache> bound(
       module, "DistanceCache",
       "What is kept of one question of distance for the next about the same two meshes, which have moved "
       "little in between. It changes no bit of any answer. It belongs to the first two meshes asked about. "
       "Lengths are in the unit of the coordinates (what holds for a while: J. Basch, J. Erickson, L. Guibas, J. "
-      "Hershberger, L. Zhang, \"Kinetic collision detection between two simple polygons\", 1999).")
-      .def("__init__", [](HeldCache* place) { new (place) HeldCache(); })
+      "Hershberger, L. Zhang, \"Kinetic collision detection between two simple polygons\", 1999).");
+  bound.def("__init__", [](HeldCache* place) { new (place) HeldCache(); })
       .def(
           "distance",
           [](const HeldCache& held, const AnyShape& a, const AnyShape& b, const PoseLike& pose_a,
@@ -65,6 +66,7 @@ void bind_caches(nb::module_& module) {
           },
           "Of them, those that were searched as without a cache.")
       .def("__repr__", [](const HeldCache&) { return "<toccata.DistanceCache>"; });
+  bind_refusal(bound, "make a new one, with which all answers are the same");
 }
 
 }  // namespace toccata::python

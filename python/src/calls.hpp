@@ -2,9 +2,20 @@
 
 #include <nanobind/nanobind.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
 #include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
 #include <toccata/core/parallel.hpp>
 #include <toccata/query/batch.hpp>
 #include <toccata/query/model.hpp>
@@ -42,6 +53,36 @@ auto asked_about(const Model& model, const Ask& ask) {
   return without_lock([&ask, copy = model] { return ask(copy); });
 }
 
+/// One thread at a time. Whoever has the turn does not wait for it: a handler of a signal runs within the question that
+/// looked for signals, and gets an Error.
+class Turns {
+ public:
+  void lock() {
+    require_other();
+    mutex_.lock();
+    owner_ = std::this_thread::get_id();
+  }
+  bool try_lock() {
+    require_other();
+    if (!mutex_.try_lock()) return false;
+    owner_ = std::this_thread::get_id();
+    return true;
+  }
+  void unlock() {
+    owner_ = std::thread::id();
+    mutex_.unlock();
+  }
+
+ private:
+  void require_other() const {
+    if (owner_ == std::this_thread::get_id())
+      throw Error("it is being asked: what a signal calls meanwhile may not use it; let it set a flag, or raise");
+  }
+
+  std::mutex mutex_;
+  std::atomic<std::thread::id> owner_{};
+};
+
 /// What a batch is told so that Ctrl-C ends it: now and then the thread that asked looks whether a signal has come.
 class Interruptible {
  public:
@@ -65,5 +106,33 @@ class Interruptible {
 
   BatchOptions options_;
 };
+
+/// `answer(i)` for each of so many, in rows of `length` on several threads. Between rows Ctrl-C is looked for. An Error
+/// begins with "<noun> i: ".
+template <class Answer>
+auto answer_each(std::size_t count, std::size_t length, const char* noun, int threads, const Answer& answer) {
+  return Interruptible(threads).ask([&](const BatchOptions& options) {
+    std::vector<decltype(answer(std::size_t{}))> answers(count);
+    std::atomic<bool> ended = false;
+    const auto look = [&](std::size_t done) {
+      try {
+        options.progress(done, count);
+      } catch (...) {
+        ended = true;
+        throw;
+      }
+    };
+    parallel_for((count + length - 1) / length, threads, [&](std::size_t row) {
+      if (ended) return;
+      look(row * length);
+      for (std::size_t i = row * length; i < std::min(count, (row + 1) * length); ++i) try {
+          answers[i] = answer(i);
+        } catch (const Error& error) {
+          throw Error(fmt::format("{} {}: {}", noun, i, error.what()));
+        }
+    });
+    return answers;
+  });
+}
 
 }  // namespace toccata::python

@@ -6,18 +6,20 @@
 
 #include "arrays.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
 void bind_mover_options(nb::module_& module) {
   const MoverOptions usual;
-  nb::class_<MoverOptions>(module, "MoverOptions",
-                           R"(How a character moves (move_character). Lengths are in the unit of the coordinates.
+  nb::class_<MoverOptions> bound(module, "MoverOptions",
+                                 R"(How a character moves (move_character). Lengths are in the unit of the coordinates.
 
 up: a vector in the world, shape (3,), of any length above 0. skin: how far the shape stays from everything. max_slope_degrees: the
 steepest ground that is walked on, from level. step_height: the highest step that is walked up. snap_distance: how far below a walker ground
 is looked for. max_slides: how often the way may bend in one step. Options out of range are told by move_character, which
-raises Error.)")
+raises Error.)");
+  bound
       .def(
           "__init__",
           [](MoverOptions* place, const ArrayLike& up, double skin, double max_slope_degrees, double step_height,
@@ -40,6 +42,16 @@ raises Error.)")
             "max_slides={})",
             o.up.x, o.up.y, o.up.z, o.skin, o.max_slope_degrees, o.step_height, o.snap_distance, o.max_slides);
       });
+  bind_value(bound, [](const MoverOptions& options) {
+    nb::dict named;
+    named["up"] = tuple_of(options.up);
+    named["skin"] = options.skin;
+    named["max_slope_degrees"] = options.max_slope_degrees;
+    named["step_height"] = options.step_height;
+    named["snap_distance"] = options.snap_distance;
+    named["max_slides"] = options.max_slides;
+    return Making(nb::tuple(), named);
+  });
   module.def(
       "velocity_along",
       [](const ArrayLike& velocity, const ArrayLike& normals) {

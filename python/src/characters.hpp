@@ -17,6 +17,7 @@
 #include <toccata/world/character_mover.hpp>
 
 #include "object_questions.hpp"
+#include "values.hpp"
 
 // The character mover (world/character_mover.hpp), bound once for levels that are a SceneIndex and for Worlds.
 namespace toccata::python {
@@ -43,9 +44,41 @@ class CharacterQuestions {
  private:
   [[nodiscard]] std::string name(const char* kind) const { return prefix_ + kind; }
 
+  static nb::tuple state_of_hit(const Hit& hit) {
+    return nb::make_tuple(hit.object, hit.element, tuple_of(hit.point), tuple_of(hit.normal));
+  }
+  static Hit hit_of_state(const nb::tuple& state) {
+    if (state.size() != 4) throw Error("a pickled contact of a character of another version");
+    return {nb::cast<Id>(state[0]), nb::cast<Index>(state[1]), vector_of(nb::object(state[2]), "point"),
+            vector_of(nb::object(state[3]), "normal")};
+  }
+
+  static nb::tuple state_of_step(const Step& step) {
+    return nb::make_tuple(step.state, tuple_of(step.moved), tuple_of(step.carried), tuple_of(step.pushed_out),
+                          step.contacts, step.met_wall, step.met_ceiling, step.stepped, step.tight, step.stuck,
+                          step.crushed, step.cut_short);
+  }
+  static Step step_of_state(const nb::tuple& state) {
+    if (state.size() != 12) throw Error("a pickled step of a character of another version");
+    const auto told = [&](std::size_t i) { return nb::cast<bool>(state[i]); };
+    return {nb::cast<State>(state[0]),
+            vector_of(nb::object(state[1]), "moved"),
+            vector_of(nb::object(state[2]), "carried"),
+            vector_of(nb::object(state[3]), "pushed_out"),
+            nb::cast<std::vector<Hit>>(state[4]),
+            told(5),
+            told(6),
+            told(7),
+            told(8),
+            told(9),
+            told(10),
+            told(11)};
+  }
+
   void bind_contact() {
-    nb::class_<Hit>(module_, name("MoverContact").c_str(), "Something that a character stands on, or met on its way.")
-        .def_ro("object", &Hit::object, "Which.")
+    nb::class_<Hit> bound(module_, name("MoverContact").c_str(),
+                          "Something that a character stands on, or met on its way.");
+    bound.def_ro("object", &Hit::object, "Which.")
         .def_ro("element", &Hit::element, "The element, of a mesh the triangle.")
         .def_prop_ro(
             "point", [](const Hit& hit) { return array_of(hit.point); }, "The nearest of the object, shape (3,).")
@@ -54,12 +87,14 @@ class CharacterQuestions {
         .def("__repr__", [kind = name("MoverContact")](const Hit& hit) {
           return fmt::format("<toccata.{} at element {}>", kind, hit.element);
         });
+    bind_answer_value(bound, &state_of_hit, &hit_of_state);
   }
 
   void bind_state() {
-    nb::class_<State>(module_, name("MoverState").c_str(),
-                      "Where a character is: all that is known of it from one step to the next. Its pose is in the "
-                      "world. Raises Error for what is no pose.")
+    nb::class_<State> bound(module_, name("MoverState").c_str(),
+                            "Where a character is: all that is known of it from one step to the next. Its pose is in "
+                            "the world. Raises Error for what is no pose.");
+    bound
         .def(
             "__init__",
             [](State* place, const PoseLike& pose, const std::optional<Hit>& ground) {
@@ -73,14 +108,15 @@ class CharacterQuestions {
           return fmt::format("<toccata.{} at ({}, {}, {}), {}>", kind, at.x, at.y, at.z,
                              state.ground ? "on ground" : "in the air");
         });
+    bind_value(bound, [](const State& state) { return nb::make_tuple(state.pose, state.ground); });
   }
 
   void bind_step() {
     const auto vector_told = [](Vec3 Step::*member) {
       return [member](const Step& step) { return array_of(step.*member); };
     };
-    nb::class_<Step>(module_, name("MoverStep").c_str(), "What came of a step of a character.")
-        .def_ro("state", &Step::state, "Where it is now.")
+    nb::class_<Step> bound(module_, name("MoverStep").c_str(), "What came of a step of a character.");
+    bound.def_ro("state", &Step::state, "Where it is now.")
         .def_prop_ro("moved", vector_told(&Step::moved), "By how much in all, shape (3,).")
         .def_prop_ro("carried", vector_told(&Step::carried), "By how much of it on or by objects that moved.")
         .def_prop_ro("pushed_out", vector_told(&Step::pushed_out), "And out of what it began in.")
@@ -96,6 +132,7 @@ class CharacterQuestions {
           return fmt::format("<toccata.{}: moved ({}, {}, {}), {} contacts>", kind, step.moved.x, step.moved.y,
                              step.moved.z, step.contacts.size());
         });
+    bind_answer_value(bound, &state_of_step, &step_of_state);
   }
 
   static std::vector<MovedObject<Id>> moved_objects(nb::handle given) {

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include <toccata/core/error.hpp>
 #include <toccata/query/contacts.hpp>
 
 #include "described.hpp"
@@ -52,6 +56,16 @@ std::vector<Numbered<Answer, Of>> numbered(const std::vector<std::vector<Answer>
   return rows;
 }
 
+/// Calls `take(number, answer)` for each row that an array tells. Throws Error, beginning with `what`, for another
+/// array and where the number of a row is not below `count`.
+template <class Answer, class Of, class Take>
+void for_rows(nb::handle rows, std::size_t count, const char* what, const Take& take) {
+  for (const Numbered<Answer, Of>& row : answers_of<Numbered<Answer, Of>>(rows, what)) {
+    if (row.number >= count) throw Error(fmt::format("{}: there is no {} {}", what, Of::name, row.number));
+    take(row.number, row.answer);
+  }
+}
+
 /// A ContactRegion, of which every member is a number.
 struct Region {
   std::size_t triangle_pairs = 0, face_pairs = 0;
@@ -90,6 +104,20 @@ inline std::vector<Region> flat(const std::vector<ContactRegion>& regions) {
                     region.closed, region.area, region.normal, depth.lower, depth.upper, region.deepest});
   }
   return rows;
+}
+
+inline ContactRegion region_of(const Region& row) {
+  ContactRegion region;
+  region.triangle_pairs = row.triangle_pairs;
+  region.face_pairs = row.face_pairs;
+  region.box = {row.lower, row.upper};
+  region.point_count = row.point_count;
+  region.closed = row.closed;
+  region.area = row.area;
+  region.normal = row.normal;
+  region.deepest = row.deepest;
+  if (!std::isnan(row.depth_lower)) region.depth = ContactRegion::Depth{row.depth_lower, row.depth_upper};
+  return region;
 }
 
 }  // namespace toccata::python

@@ -17,6 +17,7 @@
 #include "answers.hpp"
 #include "calls.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -67,7 +68,7 @@ class HeldDeforming {
   }
 
  private:
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  std::unique_ptr<Turns> mutex_ = std::make_unique<Turns>();
   mutable DeformingMesh mesh_;
 };
 
@@ -82,6 +83,17 @@ HeldDeforming made(const AnyShape& mesh, const nb::object& end, int threads) {
 
 Floats vertices_told(std::span<const Vec3> vertices) {
   return nb::borrow<Floats>(array_over<double>(std::vector<Vec3>(vertices.begin(), vertices.end()), {3}));
+}
+
+/// The mesh as it is at the start, and its end.
+nb::tuple arguments_of_deforming(const HeldDeforming& held) {
+  auto [mesh, end] = held.with([](const DeformingMesh& mesh) {
+    const std::span<const Vec3> start = mesh.start();
+    const auto triangles = mesh.triangles();
+    return std::pair(Model(TriangleMesh({start.begin(), start.end()}, {triangles.begin(), triangles.end()})),
+                     std::vector<Vec3>(mesh.end().begin(), mesh.end().end()));
+  });
+  return nb::make_tuple(shape_object(mesh), vertices_told(end));
 }
 
 void bind_ways(nb::class_<HeldDeforming>& bound) {
@@ -235,6 +247,7 @@ is not finite; questions of times, asked without a separation, also where they f
 free_steps never do.)");
   bind_ways(bound);
   bind_impacts_of(bound);
+  bind_pickling(bound, &arguments_of_deforming);
 }
 
 }  // namespace toccata::python

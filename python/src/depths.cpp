@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <toccata/core/error.hpp>
 #include <toccata/query/batch.hpp>
 #include <toccata/query/manifolds.hpp>
@@ -112,7 +114,9 @@ void bind_manifolds(nb::module_& module) {
           "Of A, of a mesh triangles; shape (count,).")
       .def_prop_ro(
           "elements_b",
-          [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_b, m.count)); }, "Of B.");
+          [](const ModelManifold& m) { return nb::borrow<Indices>(elements_told(m.elements_b, m.count)); }, "Of B.")
+      .def("__repr__",
+           [](const ModelManifold& m) { return fmt::format("<toccata.ModelManifold of {} points>", m.count); });
   bind_manifold_values(bound);
   def_pair_question(
       module, "manifolds",

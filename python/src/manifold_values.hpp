@@ -11,6 +11,8 @@
 
 #include <toccata/query/manifolds.hpp>
 
+#include "values.hpp"
+
 // Manifolds are values: they compare, and are pickled and copied.
 namespace toccata::python {
 
@@ -62,17 +64,15 @@ M manifold_of_state(const ManifoldState& state) {
 template <class Bound>
 void bind_manifold_values(Bound& bound) {
   using M = typename Bound::Type;
-  bound
-      .def(
-          "__eq__",
-          [](const M& manifold, const nb::object& other) {
-            return nb::isinstance<M>(other) && manifold == nb::cast<const M&>(other);
-          },
-          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__getstate__", &state_of_manifold<M>, nb::sig("def __getstate__(self) -> tuple"))
-      .def(
-          "__setstate__", [](M& place, const ManifoldState& state) { new (&place) M(manifold_of_state<M>(state)); },
-          nb::sig("def __setstate__(self, arg: tuple, /) -> None"));
+  bound.def(
+      "__eq__",
+      [](const M& manifold, const nb::object& other) {
+        return nb::isinstance<M>(other) && manifold == nb::cast<const M&>(other);
+      },
+      nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
+  bind_state(
+      bound, [](const M& manifold) { return nb::borrow<nb::tuple>(nb::cast(state_of_manifold(manifold))); },
+      [](const nb::tuple& state) { return manifold_of_state<M>(nb::cast<ManifoldState>(state)); });
 }
 
 }  // namespace toccata::python

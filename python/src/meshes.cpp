@@ -24,6 +24,7 @@
 #include "answers.hpp"
 #include "calls.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 // Files of many objects, what is wrong with a mesh and how it is closed, and hulls of other things than points.
 namespace toccata::python {
@@ -48,6 +49,24 @@ const TriangleMesh& mesh_asked(const AnyShape& mesh) {
   return mesh.model.mesh();
 }
 
+nb::tuple state_of_fault(const MeshFault& fault) {
+  return nb::make_tuple(static_cast<int>(fault.kind), array_over<Index>(std::vector(fault.edges), {2}),
+                        array_over<Index>(std::vector(fault.triangles), {}),
+                        array_over<Index>(std::vector(fault.vertices), {}));
+}
+
+MeshFault fault_of_state(const nb::tuple& state) {
+  constexpr const char* what = "a pickled MeshFault";
+  if (state.size() != 4) throw Error("a pickled MeshFault of another version");
+  MeshFault fault{static_cast<MeshFaultKind>(nb::cast<int>(state[0])),
+                  {},
+                  indices_of(nb::object(state[2]), 1, what),
+                  indices_of(nb::object(state[3]), 1, what)};
+  const std::vector<Index> ends = indices_of(nb::object(state[1]), 2, what);
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) fault.edges.push_back({ends[i], ends[i + 1]});
+  return fault;
+}
+
 void bind_faults(nb::module_& module) {
   nb::enum_<MeshFaultKind>(module, "MeshFaultKind", nb::is_arithmetic(),
                            "What is out of order at a place of a mesh: what MeshHealth counts under the same name.")
@@ -57,10 +76,11 @@ void bind_faults(nb::module_& module) {
       .value("degenerate_triangles", MeshFaultKind::degenerate_triangles)
       .value("duplicate_triangles", MeshFaultKind::duplicate_triangles)
       .value("unused_vertices", MeshFaultKind::unused_vertices);
-  nb::class_<MeshFault>(module, "MeshFault",
-                        "Faults of one kind that hang together through vertices: the edges around one hole, say. Its "
-                        "length is how many there are.")
-      .def_ro("kind", &MeshFault::kind)
+  nb::class_<MeshFault> bound(
+      module, "MeshFault",
+      "Faults of one kind that hang together through vertices: the edges around one hole, say. Its "
+      "length is how many there are.");
+  bound.def_ro("kind", &MeshFault::kind)
       .def_prop_ro(
           "edges",
           [](const MeshFault& fault) { return nb::borrow<Indices>(array_over<Index>(std::vector(fault.edges), {2})); },
@@ -75,6 +95,7 @@ void bind_faults(nb::module_& module) {
                    })
       .def("__len__", &MeshFault::count)
       .def("__repr__", [](const MeshFault& fault) { return fmt::format("<toccata.MeshFault of {}>", fault.count()); });
+  bind_answer_value(bound, &state_of_fault, &fault_of_state);
   module.def(
       "mesh_faults",
       [](const AnyShape& mesh) {
@@ -147,7 +168,8 @@ void bind_hulls(nb::module_& module) {
       "The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, "
       "in "
       "the unit of the coordinates. "
-      "Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has "
+      "It is found in one go: Ctrl-C is taken when it is. Raises Error when they have no point in common, naming at "
+      "most four that have none, and when it is flat or has "
       "no "
       "end.");
   module.def(

@@ -1,8 +1,11 @@
 #include "motions.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +18,7 @@
 #include "calls.hpp"
 #include "described.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -91,6 +95,48 @@ nb::list pieces_of(const HeldMotion& motion) {
   return pieces;
 }
 
+RigidMotion::Piece piece_told_back(nb::handle given, std::size_t number) {
+  const auto is_tuple_of = [](nb::handle told, std::size_t count) {
+    return (PyTuple_Check(told.ptr()) || PyList_Check(told.ptr())) && nb::len(told) == count;
+  };
+  const std::string what = fmt::format("pieces, entry {}", number);
+  RigidMotion::Piece piece;
+  if (!is_tuple_of(given, 4) || !is_tuple_of(nb::object(given[3]), 4) ||
+      !nb::try_cast(nb::object(given[0]), piece.begin) || !nb::try_cast(nb::object(given[1]), piece.end) ||
+      !nb::try_cast(nb::object(given[3][2]), piece.move.turns))
+    throw Error(fmt::format("{}: (begin, end, start, (centre, axis, turns, translation)) is needed", what));
+  piece.start = pose_of(nb::object(given[2]), what);
+  piece.move.centre = vector_of(nb::object(given[3][0]), what);
+  piece.move.axis = vector_of(nb::object(given[3][1]), what);
+  piece.move.translation = vector_of(nb::object(given[3][3]), what);
+  return piece;
+}
+
+RigidMotion of_pieces(const nb::object& given) {
+  if (!is_list(given)) throw Error("pieces: a list is needed, as `pieces` of a RigidMotion tells it");
+  std::vector<RigidMotion::Piece> pieces;
+  for (const nb::handle piece : given) pieces.push_back(piece_told_back(piece, pieces.size()));
+  return RigidMotion::of_pieces(std::move(pieces));
+}
+
+Making making_of_motion(const HeldMotion& motion) {
+  if (motion.pieces().empty())
+    throw nb::type_error(
+        "a RigidMotion that is told by a function cannot be pickled: pickle what the function is made of, and make the "
+        "motion anew (RigidMotion.of)");
+  nb::dict named;
+  named["pieces"] = pieces_of(motion);
+  return {nb::tuple(), named};
+}
+
+/// Two that are told by functions are never known to be equal.
+bool equal_pieces(const RigidMotion& a, const RigidMotion& b) {
+  const auto equal = [](const RigidMotion::Piece& x, const RigidMotion::Piece& y) {
+    return x.begin == y.begin && x.end == y.end && x.start == y.start && x.move == y.move;
+  };
+  return !a.pieces().empty() && std::ranges::equal(a.pieces(), b.pieces(), equal);
+}
+
 HeldMotion through(const ArrayLike& times, const PosesLike& poses, const ArrayLike& centre) {
   const Doubles numbers = doubles(times, "times");
   const Poses at = poses_of(poses, "poses");
@@ -123,15 +169,12 @@ HeldMotion by_function(nb::callable pose_at, double speed, double turns, const A
   return {RigidMotion::of(std::move(asked_with_lock), {vector_of(centre, "centre"), speed, turns, rounding}), function};
 }
 
-void bind_motion(nb::module_& module) {
-  const nb::tuple origin = nb::make_tuple(0.0, 0.0, 0.0);
-  nb::class_<HeldMotion>(module, "RigidMotion", nb::type_slots(motion_slots),
-                         R"(How a shape moves, without changing its form, in the time from 0 to 1.
+using BoundMotion = nb::class_<HeldMotion>;
 
-At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
-counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-rests. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
-finite.)")
+nb::tuple origin_told() { return nb::make_tuple(0.0, 0.0, 0.0); }
+
+void bind_constructors(BoundMotion& bound) {
+  bound
       .def(
           "__init__",
           [](HeldMotion* place, const PoseLike& start, const ArrayLike& translation, double turns,
@@ -140,9 +183,18 @@ finite.)")
                                  vector_of(translation, "translation")};
             new (place) HeldMotion(RigidMotion(pose_of(start, "start"), move));
           },
-          nb::arg("start") = nb::none(), nb::arg("translation") = origin, nb::arg("turns") = 0.0,
-          nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("centre") = origin)
-      .def("__copy__", [](const HeldMotion& motion) { return motion; })
+          nb::arg("start") = nb::none(), nb::arg("translation") = origin_told(), nb::arg("turns") = 0.0,
+          nb::arg("axis") = nb::make_tuple(0.0, 0.0, 1.0), nb::arg("centre") = origin_told())
+      .def(
+          "__init__", [](HeldMotion* place, const nb::object& pieces) { new (place) HeldMotion(of_pieces(pieces)); },
+          nb::kw_only(), nb::arg("pieces"),
+          nb::sig("def __init__(self, *, pieces: collections.abc.Sequence[tuple[float, float, "
+                  "toccata._typing.PoseLike | None, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike, float, "
+                  "numpy.typing.ArrayLike]]]) -> None"));
+}
+
+void bind_makers(BoundMotion& bound) {
+  bound
       .def_static(
           "straight",
           [](const PoseLike& start, const ArrayLike& translation) -> HeldMotion {
@@ -157,7 +209,7 @@ finite.)")
           [](const PoseLike& start, const PoseLike& end, const ArrayLike& centre) -> HeldMotion {
             return RigidMotion::between(pose_of(start, "start"), pose_of(end, "end"), vector_of(centre, "centre"));
           },
-          nb::arg("start").none(), nb::arg("end").none(), nb::arg("centre") = origin,
+          nb::arg("start").none(), nb::arg("end").none(), nb::arg("centre") = origin_told(),
           "From one pose to another: the centre, a point of the shape's own frame, goes straight on, and the shape "
           "turns about it the shorter way at an even speed. The centre has the shape (3,), in the unit of the "
           "coordinates. "
@@ -169,13 +221,13 @@ finite.)")
           },
           nb::arg("start").none(), nb::arg("end").none(),
           "From one pose to another about one axis and along it (M. Chasles, 1830). Raises Error like between.")
-      .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin,
+      .def_static("through", &through, nb::arg("times"), nb::arg("poses"), nb::arg("centre") = origin_told(),
                   "Through poses at times, shape (N,), that ascend from 0 to 1, as between each and the next; the "
                   "centre in the "
                   "unit of the coordinates. Raises Error like between, and for other times.")
       .def_static(
           "of", &by_function, nb::arg("pose_at"), nb::kw_only(), nb::arg("speed"), nb::arg("turns") = 0.0,
-          nb::arg("centre") = origin, nb::arg("rounding") = 0.0,
+          nb::arg("centre") = origin_told(), nb::arg("rounding") = 0.0,
           nb::sig("def of(pose_at: collections.abc.Callable[[float], toccata._typing.PoseLike], *, speed: float, "
                   "turns: float = 0.0, centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), rounding: float = 0.0) "
                   "-> RigidMotion"),
@@ -185,7 +237,11 @@ finite.)")
           "it turns about it, in whole turns; rounding: how far off the function may be. Answers are true of all "
           "such motions. The function is asked from any thread, with the interpreter's lock, and has to return the "
           "same for the same time; what it raises comes out of the question. Raises Error when a bound is negative "
-          "or not finite.")
+          "or not finite.");
+}
+
+void bind_parts_of_motion(BoundMotion& bound) {
+  bound
       .def(
           "at", [](const HeldMotion& motion, double time) { return motion.at(time); }, nb::arg("time"),
           "The pose at a time from 0 to 1, rounded. Raises Error for another time.")
@@ -203,6 +259,38 @@ finite.)")
       .def("__repr__", [](const HeldMotion& motion) {
         return fmt::format("<toccata.RigidMotion of {} pieces>", motion.pieces().size());
       });
+}
+
+void bind_manners_of_motions(BoundMotion& bound) {
+  bind_copying(bound);
+  bind_pickling(bound, &making_of_motion);
+  bound
+      .def(
+          "__eq__",
+          [](nb::handle_t<HeldMotion> self, const nb::object& other) {
+            return self.is(other) || (nb::isinstance<HeldMotion>(other) &&
+                                      equal_pieces(made_value<HeldMotion>(self), made_value<HeldMotion>(other)));
+          },
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__", [](nb::handle_t<HeldMotion> self) {
+        const HeldMotion& motion = made_value<HeldMotion>(self);
+        return motion.pieces().empty() ? nb::hash(nb::int_(reinterpret_cast<std::uintptr_t>(self.ptr())))
+                                       : nb::hash(nb::tuple(pieces_of(motion)));
+      });
+}
+
+void bind_motion(nb::module_& module) {
+  BoundMotion bound(module, "RigidMotion", nb::type_slots(motion_slots),
+                    R"(How a shape moves, without changing its form, in the time from 0 to 1.
+
+At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
+counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
+rests. RigidMotion(pieces=…) is made of what `pieces` tells, which go on from each other from 0 to 1. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+finite, and for pieces that do not.)");
+  bind_constructors(bound);
+  bind_makers(bound);
+  bind_parts_of_motion(bound);
+  bind_manners_of_motions(bound);
 }
 
 /// `motion` rests or moves; the shape starts at its pose.
@@ -230,17 +318,8 @@ conservative advancement", 2009). Raises Error like cast_shape.)");
         const std::vector<RigidMotion> ways = motions_of(motions_a, "motions_a");
         const RigidMotion of_b = motion_of(motion_b, "motion_b");
         const SweepQuery query{solid_a, solid_b, stop_before};
-        return structured(Interruptible(threads).ask([&, x = a.model, y = b.model](const BatchOptions& options) {
-          std::vector<ShapeHit> hits(ways.size());
-          parallel_for(ways.size(), threads, [&](std::size_t i) {
-            options.progress(i, ways.size());
-            try {
-              hits[i] = sweep(x, ways[i], y, of_b, query);
-            } catch (const Error& error) {
-              throw Error(fmt::format("motion {}: {}", i, error.what()));
-            }
-          });
-          return hits;
+        return structured(answer_each(ways.size(), 1, "motion", threads, [&, x = a.model, y = b.model](std::size_t i) {
+          return sweep(x, ways[i], y, of_b, query);
         }));
       },
       nb::arg("a"), nb::arg("motions_a"), nb::arg("b"), nb::arg("motion_b") = nb::none(), nb::kw_only(),
@@ -294,6 +373,13 @@ std::vector<Pair> feature_pairs(const ArrayLike& starts, const ArrayLike& ends, 
   return pairs;
 }
 
+template <class Pair>
+Answers impacts_told(const std::vector<Pair>& pairs, int threads) {
+  constexpr std::size_t in_row = 256;
+  return structured(
+      answer_each(pairs.size(), in_row, "pair", threads, [&](std::size_t i) { return time_of_impact(pairs[i]); }));
+}
+
 void bind_impacts(nb::module_& module) {
   module.def(
       "vertex_face_impacts",
@@ -301,7 +387,7 @@ void bind_impacts(nb::module_& module) {
         const auto pairs = feature_pairs<VertexFace>(starts, ends, [](const std::array<MovingPoint, 4>& p) {
           return VertexFace{p[0], {p[1], p[2], p[3]}};
         });
-        return structured(without_lock([&] { return time_of_impact_each(pairs, threads); }));
+        return impacts_told(pairs, threads);
       },
       nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
       "When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and "
@@ -318,7 +404,7 @@ void bind_impacts(nb::module_& module) {
         const auto pairs = feature_pairs<EdgeEdge>(starts, ends, [](const std::array<MovingPoint, 4>& p) {
           return EdgeEdge{{p[0], p[1]}, {p[2], p[3]}};
         });
-        return structured(without_lock([&] { return time_of_impact_each(pairs, threads); }));
+        return impacts_told(pairs, threads);
       },
       nb::arg("starts"), nb::arg("ends"), nb::kw_only(), nb::arg("threads") = all_threads,
       "vertex_face_impacts of two moving segments: shapes (N, 4, 3), in each the ends of one and of the other, in any "

@@ -150,10 +150,7 @@ void bind_answers(nb::module_& module) {
   bind_answer<ShapeHit>(module).def("__bool__", [](const ShapeHit& hit) { return hit.hit; });
 }
 
-}  // namespace
-
-void bind_pair_questions(nb::module_& module) {
-  bind_answers(module);
+void bind_single_questions(nb::module_& module) {
   bind_question(
       module, "overlap",
       R"(Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
@@ -198,8 +195,9 @@ half-spaces.)",
                 [](const Model& a, const Model& b, const PairQuery& query) {
                   return penetration(a, b, query, kept_workspace());
                 });
-  bind_casts(module);
+}
 
+void bind_questions_of_many(nb::module_& module) {
   bind_questions(
       module, "overlap_each", R"(overlap for many poses, on all cores: a bool for each.
 
@@ -240,6 +238,15 @@ the number of threads. Raises Error naming the least query that is asked wrongly
       "a "
       "structured array with triangle_pairs and face_pairs. Raises Error like overlap_each.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return count_contacts_each(batch, options); });
+}
+
+}  // namespace
+
+void bind_pair_questions(nb::module_& module) {
+  bind_answers(module);
+  bind_single_questions(module);
+  bind_casts(module);
+  bind_questions_of_many(module);
 }
 
 }  // namespace toccata::python

@@ -4,17 +4,56 @@
 
 #include <fmt/format.h>
 
+#include <toccata/core/error.hpp>
 #include <toccata/query/convex_parts.hpp>
 
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 namespace {
 
+constexpr std::size_t members_of_parts = 5;
+
+nb::tuple state_of_part(const ConvexPart& part) {
+  return nb::make_tuple(shape_object(Model(part.hull)), part.volume, part.concavity, part.concavity_found,
+                        array_over<Index>(std::vector<Index>(part.faces), {}));
+}
+
+ConvexPart part_of_state(const nb::tuple& state) {
+  if (state.size() != members_of_parts) throw Error("a pickled ConvexPart of another version");
+  const Model hull = nb::cast<const AnyShape&>(state[0]).model;
+  if (!std::holds_alternative<ConvexHull>(hull.shape())) throw Error("a pickled ConvexPart: its hull is none");
+  return {std::get<ConvexHull>(hull.shape()), nb::cast<double>(state[1]), nb::cast<double>(state[2]),
+          nb::cast<double>(state[3]), indices_of(nb::object(state[4]), 1, "a pickled ConvexPart")};
+}
+
+nb::list list_of_parts(const ConvexParts& parts) {
+  nb::list list;
+  for (const ConvexPart& part : parts.parts) list.append(nb::cast(part));
+  return list;
+}
+
+nb::tuple state_of_parts(const ConvexParts& parts) {
+  return nb::make_tuple(list_of_parts(parts), parts.mesh_volume, parts.hull_volume, parts.excess, parts.concavity);
+}
+
+ConvexParts parts_of_state(const nb::tuple& state) {
+  if (state.size() != members_of_parts) throw Error("a pickled ConvexParts of another version");
+  ConvexParts parts{{},
+                    nb::cast<double>(state[1]),
+                    nb::cast<double>(state[2]),
+                    nb::cast<double>(state[3]),
+                    nb::cast<double>(state[4])};
+  for (const nb::handle part : nb::cast<nb::list>(state[0])) parts.parts.push_back(nb::cast<const ConvexPart&>(part));
+  return parts;
+}
+
 void bind_part(nb::module_& module) {
-  nb::class_<ConvexPart>(module, "ConvexPart", "A convex part of a mesh.")
+  nb::class_<ConvexPart> bound(module, "ConvexPart", "A convex part of a mesh.");
+  bound
       .def_prop_ro(
           "hull", [](const ConvexPart& part) { return shape_object(Model(part.hull)); },
           nb::sig("def hull(self) -> ConvexHull"))
@@ -26,23 +65,21 @@ void bind_part(nb::module_& module) {
           [](const ConvexPart& part) {
             return nb::borrow<Indices>(array_over<Index>(std::vector<Index>(part.faces), {}));
           },
-          "Of the mesh, ascending: those that the part has more than the border of.");
+          "Of the mesh, ascending: those that the part has more than the border of.")
+      .def("__repr__", [](const ConvexPart& part) {
+        return fmt::format("<toccata.ConvexPart of {} vertices, of volume {}>", part.hull.vertex_count(), part.volume);
+      });
+  bind_answer_value(
+      bound, [](const ConvexPart& part) { return state_of_part(part); }, &part_of_state);
 }
 
 }  // namespace
 
 void bind_parts(nb::module_& module) {
   bind_part(module);
-  nb::class_<ConvexParts>(module, "ConvexParts", "Convex parts whose union contains a solid.")
-      .def("__len__", [](const ConvexParts& parts) { return parts.parts.size(); })
-      .def_prop_ro(
-          "parts",
-          [](const ConvexParts& parts) {
-            nb::list list;
-            for (const ConvexPart& part : parts.parts) list.append(nb::cast(part));
-            return list;
-          },
-          "By falling volume.", nb::sig("def parts(self) -> list[ConvexPart]"))
+  nb::class_<ConvexParts> bound(module, "ConvexParts", "Convex parts whose union contains a solid.");
+  bound.def("__len__", [](const ConvexParts& parts) { return parts.parts.size(); })
+      .def_prop_ro("parts", &list_of_parts, "By falling volume.", nb::sig("def parts(self) -> list[ConvexPart]"))
       .def_ro("mesh_volume", &ConvexParts::mesh_volume, "Of the solid, rounded.")
       .def_ro("hull_volume", &ConvexParts::hull_volume, "Of all hulls.")
       .def_ro("excess", &ConvexParts::excess, "hull_volume - mesh_volume.")
@@ -53,6 +90,8 @@ void bind_parts(nb::module_& module) {
           nb::sig("def compound(self) -> Compound"))
       .def("__repr__",
            [](const ConvexParts& parts) { return fmt::format("<toccata.ConvexParts: {}>", parts.parts.size()); });
+  bind_answer_value(
+      bound, [](const ConvexParts& parts) { return state_of_parts(parts); }, &parts_of_state);
   module.def(
       "decompose",
       [](const AnyShape& mesh, std::size_t max_parts, double concavity, int threads) {

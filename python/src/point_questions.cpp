@@ -85,8 +85,10 @@ void bind_sides(nb::module_& module) {
       .value("automatic", SignBy::automatic, "Of a closed mesh the winding number, of an open one the generalised.")
       .value("winding_number", SignBy::winding_number, "Exact. Not of open meshes.")
       .value("generalized_winding_number", SignBy::generalized_winding_number, "A guess where holes are.");
+}
+
+void bind_signed_distances(nb::module_& module) {
   bind_answer<SignedDistance>(module);
-  bind_answer<WindingNumber>(module);
   module.def(
       "signed_distance",
       [](const ArrayLike& point, const AnyShape& shape, const PoseLike& pose, SignBy sign_by) {
@@ -115,6 +117,10 @@ mesh is asked by SignBy.winding_number.)");
       nb::kw_only(), nb::arg("threads") = all_threads,
       "signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of "
       "SignedDistance, in the unit of the coordinates. Raises Error like signed_distance, naming the point.");
+}
+
+void bind_winding(nb::module_& module) {
+  bind_answer<WindingNumber>(module);
   module.def(
       "locate",
       [](const ArrayLike& point, const AnyShape& solid, const PoseLike& pose) {
@@ -200,6 +206,8 @@ void bind_point_questions(nb::module_& module) {
   bind_answer<SurfacePoint>(module).def("__bool__", [](const SurfacePoint& point) { return point.found; });
   bind_nearest(module);
   bind_sides(module);
+  bind_signed_distances(module);
+  bind_winding(module);
   bind_rays(module);
 }
 

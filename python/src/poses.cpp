@@ -9,6 +9,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 namespace {
@@ -122,10 +123,8 @@ void bind_manners_of_poses(BoundPose& bound) {
             const Floats matrix = array_of(pose);
             return type.is_none() ? matrix : nb::borrow<Floats>(matrix.attr("astype")(type));
           },
-          nb::arg("dtype") = nb::none(), nb::arg("copy") = nb::none(), "What numpy.asarray makes of it: the matrix.")
-      .def("__getstate__", &pose_state)
-      .def("__setstate__",
-           [](Pose& pose, const nb::tuple& state) { new (&pose) Pose(pose_of(state, "a pickled pose")); });
+          nb::arg("dtype") = nb::none(), nb::arg("copy") = nb::none(), "What numpy.asarray makes of it: the matrix.");
+  bind_pickling(bound, &pose_state);
 }
 
 }  // namespace

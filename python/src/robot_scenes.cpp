@@ -21,6 +21,7 @@
 #include "robots.hpp"
 #include "scenes.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 namespace {
@@ -106,7 +107,25 @@ Value member_of(nb::handle answer, const char* name) {
                                                    : nb::object(answer[name].attr("item")()));
 }
 
-NamedPair names_of(const RobotScene& scene, nb::handle answer) {
+/// A RobotScene as Python holds it: with the options that made it.
+struct HeldRobotScene : RobotScene {
+  HeldRobotScene(const Robot& robot, std::span<const SceneInstance> obstacles, RobotSceneOptions given)
+      : RobotScene(robot, obstacles, given), options(std::move(given)) {}
+
+  RobotSceneOptions options;
+};
+
+Making making_of_scene(const HeldRobotScene& scene) {
+  nb::list allowed;
+  for (const AllowedPair& pair : scene.options.allowed) allowed.append(nb::make_tuple(pair.a, pair.b));
+  nb::dict named;
+  named["allowed"] = allowed;
+  named["allow_adjacent"] = scene.options.allow_adjacent;
+  const std::vector<SceneInstance> obstacles(scene.obstacles().begin(), scene.obstacles().end());
+  return {nb::make_tuple(scene.robot(), obstacles), named};
+}
+
+NamedPair names_of(const HeldRobotScene& scene, nb::handle answer) {
   const auto links = scene.robot().links();
   const auto obstacles = scene.obstacles();
   const Index link = member_of<Index>(answer, "link"), other = member_of<Index>(answer, "other");
@@ -141,16 +160,17 @@ Answers distances_told(const std::vector<std::optional<RobotDistance>>& answers,
   return nb::borrow<Answers>(whole);
 }
 
-RobotScene scene_of(const Robot& robot, const ObjectsLike& obstacles, const nb::object& allowed, bool allow_adjacent) {
+HeldRobotScene scene_of(const Robot& robot, const ObjectsLike& obstacles, const nb::object& allowed,
+                        bool allow_adjacent) {
   const std::vector<SceneInstance> instances = instances_of(obstacles, "obstacles");
   RobotSceneOptions options{{}, allow_adjacent};
   if (!allowed.is_none()) options.allowed = allowed_pairs_of(allowed, "allowed");
-  return without_lock([&, copy = robot] { return RobotScene(copy, instances, options); });
+  return without_lock([&, copy = robot] { return HeldRobotScene(copy, instances, options); });
 }
 
 /// `ask(numbers, options)` of many configurations.
 template <class Ask>
-auto of_many(const RobotScene& scene, const ArrayLike& configurations, int threads, const Ask& ask) {
+auto of_many(const HeldRobotScene& scene, const ArrayLike& configurations, int threads, const Ask& ask) {
   const Configurations given = configurations_of(configurations, scene.robot(), "configurations");
   return Interruptible(threads).ask(
       [&, copy = scene](const BatchOptions& options) { return ask(copy, given.numbers(), options); });
@@ -158,8 +178,8 @@ auto of_many(const RobotScene& scene, const ArrayLike& configurations, int threa
 
 /// `ask(from, to, options)` of many ways.
 template <class Ask>
-auto of_many_ways(const RobotScene& scene, const ArrayLike& from, const ArrayLike& to, double precision, int threads,
-                  const Ask& ask) {
+auto of_many_ways(const HeldRobotScene& scene, const ArrayLike& from, const ArrayLike& to, double precision,
+                  int threads, const Ask& ask) {
   const Configurations begins = configurations_of(from, scene.robot(), "begins"),
                        ends = configurations_of(to, scene.robot(), "ends");
   if (begins.given.rows() != ends.given.rows())
@@ -174,20 +194,20 @@ Booleans booleans_told(std::vector<std::uint8_t> answers) {
   return nb::borrow<Booleans>(array_over<std::uint8_t>(std::move(answers), {}).attr("view")("?"));
 }
 
-void bind_scene(nb::class_<RobotScene>& bound) {
+void bind_scene(nb::class_<HeldRobotScene>& bound) {
   bound
       .def(
           "__init__",
-          [](RobotScene* place, const Robot& robot, const ObjectsLike& obstacles, const nb::object& allowed,
-             bool allow_adjacent) { new (place) RobotScene(scene_of(robot, obstacles, allowed, allow_adjacent)); },
+          [](HeldRobotScene* place, const Robot& robot, const ObjectsLike& obstacles, const nb::object& allowed,
+             bool allow_adjacent) { new (place) HeldRobotScene(scene_of(robot, obstacles, allowed, allow_adjacent)); },
           nb::arg("robot"), nb::arg("obstacles") = nb::tuple(), nb::kw_only(), nb::arg("allowed") = nb::none(),
           nb::arg("allow_adjacent") = true,
           nb::sig("def __init__(self, robot: Robot, obstacles: toccata._typing.ObjectsLike = (), *, allowed: "
                   "toccata._typing.AllowedPairs | None = None, allow_adjacent: bool = True) -> None"))
-      .def_prop_ro("robot", [](const RobotScene& scene) { return scene.robot(); })
+      .def_prop_ro("robot", [](const HeldRobotScene& scene) { return scene.robot(); })
       .def_prop_ro(
           "obstacles",
-          [](const RobotScene& scene) { return std::vector(scene.obstacles().begin(), scene.obstacles().end()); },
+          [](const HeldRobotScene& scene) { return std::vector(scene.obstacles().begin(), scene.obstacles().end()); },
           "In their order: their numbers are their places here.")
       .def("names", &names_of, nb::arg("answer"),
            nb::sig("def names(self, answer: RobotContact | RobotDistance | RobotEdge | numpy.void) -> tuple[str, str]"),
@@ -196,7 +216,7 @@ void bind_scene(nb::class_<RobotScene>& bound) {
            "Raises Error for an answer of another scene.")
       .def(
           "looks_at",
-          [](const RobotScene& scene, Index link, Index other, bool with_obstacle) {
+          [](const HeldRobotScene& scene, Index link, Index other, bool with_obstacle) {
             if (link >= scene.robot().links().size() ||
                 other >= (with_obstacle ? scene.obstacles().size() : scene.robot().links().size()))
               throw Error("link, other: there is no link or obstacle of this number");
@@ -207,28 +227,19 @@ void bind_scene(nb::class_<RobotScene>& bound) {
           "Whether these two, told by their numbers, are looked at: two links in either order, or a link and an "
           "obstacle. "
           "Raises Error for a number that there is not.")
-      .def(
-          "__copy__", [](const RobotScene& scene) { return scene; }, "It does not change: all is shared.")
-      .def(
-          "__deepcopy__", [](const RobotScene& scene, const nb::dict&) { return scene; }, nb::arg("memo"),
-          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> RobotScene"))
-      .def("__reduce__",
-           [](const RobotScene&) -> nb::object {
-             throw nb::type_error(
-                 "a RobotScene cannot be pickled; pickle its robot, its obstacles and what is allowed, and make it "
-                 "anew");
-           })
-      .def("__repr__", [](const RobotScene& scene) {
+      .def("__repr__", [](const HeldRobotScene& scene) {
         return fmt::format("<toccata.RobotScene: {} among {} obstacles>", scene.robot().name(),
                            scene.obstacles().size());
       });
+  bind_copying(bound);
+  bind_pickling(bound, &making_of_scene);
 }
 
-void bind_contacts(nb::class_<RobotScene>& bound) {
+void bind_contacts(nb::class_<HeldRobotScene>& bound) {
   bound
       .def(
           "meets",
-          [](const RobotScene& scene, const ArrayLike& configuration) {
+          [](const HeldRobotScene& scene, const ArrayLike& configuration) {
             const Configurations given = configuration_of(configuration, scene.robot(), "configuration");
             return without_lock([&, copy = scene] { return copy.meets(given.numbers()); });
           },
@@ -238,7 +249,7 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
           "another shape, and when a number is not finite.")
       .def(
           "meets_each",
-          [](const RobotScene& scene, const ArrayLike& configurations, int threads) {
+          [](const HeldRobotScene& scene, const ArrayLike& configurations, int threads) {
             return booleans_told(of_many(scene, configurations, threads,
                                          [](const RobotScene& asked, auto numbers, const BatchOptions& options) {
                                            return asked.meets_each(numbers, options);
@@ -249,7 +260,7 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
           "configuration.")
       .def(
           "contacts",
-          [](const RobotScene& scene, const ArrayLike& configuration) {
+          [](const HeldRobotScene& scene, const ArrayLike& configuration) {
             const Configurations given = configuration_of(configuration, scene.robot(), "configuration");
             return without_lock([&, copy = scene] { return copy.contacts(given.numbers()); });
           },
@@ -258,7 +269,7 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
           "Error like meets.")
       .def(
           "contacts_each",
-          [](const RobotScene& scene, const ArrayLike& configurations, int threads) {
+          [](const HeldRobotScene& scene, const ArrayLike& configurations, int threads) {
             return structured(numbered<OfQuery>(of_many(
                 scene, configurations, threads, [](const RobotScene& asked, auto numbers, const BatchOptions& options) {
                   return asked.contacts_each(numbers, ContactsTold::all, options);
@@ -269,11 +280,11 @@ void bind_contacts(nb::class_<RobotScene>& bound) {
           "RobotContact and query, which says of which configuration a row is. Raises Error naming the configuration.");
 }
 
-void bind_distances(nb::class_<RobotScene>& bound) {
+void bind_distances(nb::class_<HeldRobotScene>& bound) {
   bound
       .def(
           "distance",
-          [](const RobotScene& scene, const ArrayLike& configuration,
+          [](const HeldRobotScene& scene, const ArrayLike& configuration,
              double max_distance) -> std::optional<RobotDistanceTold> {
             const Configurations given = configuration_of(configuration, scene.robot(), "configuration");
             const auto found = without_lock([&, copy = scene] { return copy.distance(given.numbers(), max_distance); });
@@ -287,7 +298,7 @@ void bind_distances(nb::class_<RobotScene>& bound) {
           "greatest distance that is negative.")
       .def(
           "distance_each",
-          [](const RobotScene& scene, const ArrayLike& configurations, double max_distance, int threads) {
+          [](const HeldRobotScene& scene, const ArrayLike& configurations, double max_distance, int threads) {
             return distances_told(of_many(scene, configurations, threads,
                                           [&](const RobotScene& asked, auto numbers, const BatchOptions& options) {
                                             return asked.distance_each(numbers, max_distance, options);
@@ -301,12 +312,12 @@ void bind_distances(nb::class_<RobotScene>& bound) {
           "configuration.");
 }
 
-void bind_edges(nb::class_<RobotScene>& bound) {
+void bind_edges(nb::class_<HeldRobotScene>& bound) {
   const double usual = EdgeOptions{}.precision;
   bound
       .def(
           "edge",
-          [](const RobotScene& scene, const ArrayLike& begin, const ArrayLike& end, double precision) {
+          [](const HeldRobotScene& scene, const ArrayLike& begin, const ArrayLike& end, double precision) {
             const Configurations from = configuration_of(begin, scene.robot(), "begin"),
                                  to = configuration_of(end, scene.robot(), "end");
             return without_lock(
@@ -321,7 +332,8 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           "below 2**-40 or above 1.")
       .def(
           "edge_each",
-          [](const RobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision, int threads) {
+          [](const HeldRobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision,
+             int threads) {
             return structured(of_many_ways(scene, begins, ends, precision, threads,
                                            [](const RobotScene& asked, auto from, auto to, const EdgeOptions& options) {
                                              return asked.edge_each(from, to, options);
@@ -334,7 +346,8 @@ void bind_edges(nb::class_<RobotScene>& bound) {
           "the configuration.")
       .def(
           "free_each",
-          [](const RobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision, int threads) {
+          [](const HeldRobotScene& scene, const ArrayLike& begins, const ArrayLike& ends, double precision,
+             int threads) {
             return booleans_told(
                 of_many_ways(scene, begins, ends, precision, threads,
                              [](const RobotScene& asked, auto from, auto to, const EdgeOptions& options) {
@@ -385,7 +398,8 @@ void bind_robot_scenes(nb::module_& module) {
   bind_answer<RobotContact>(module);
   bind_answer<RobotDistanceTold>(module);
   bind_answer<RobotEdge>(module);
-  nb::class_<RobotScene> bound(module, "RobotScene", R"(A robot among obstacles, made ready for questions. Immutable.
+  nb::class_<HeldRobotScene> bound(module, "RobotScene",
+                                   R"(A robot among obstacles, made ready for questions. Immutable.
 
 What is said of a configuration is what overlap and distance say of the shapes at the places of Robot.posed, pair by pair:
 exactly, on meshes too. Obstacles are SceneInstances, shapes, or pairs (shape, pose). Pairs of names in `allowed` are not

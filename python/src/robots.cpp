@@ -24,6 +24,7 @@
 #include "calls.hpp"
 #include "scenes.hpp"
 #include "shapes.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -123,12 +124,13 @@ void bind_joint_kind(nb::module_& module) {
 
 void bind_joint(nb::module_& module) {
   bind_joint_kind(module);
-  nb::class_<RobotJoint>(module, "RobotJoint", R"(How one link of a robot hangs on another, as in URDF.
+  nb::class_<RobotJoint> bound(module, "RobotJoint", R"(How one link of a robot hangs on another, as in URDF.
 
 origin: where the child is in the parent's frame at the position 0, a rotation and a translation. axis: shape (3,), in the
 child's frame. limits: (lower, upper) of the position, radians or a length in the unit of the coordinates (URDF: metres).
 mimic: (joint, multiplier, offset), whose position it follows. Raises Error for what is no pose and no axis; what is wrong
-among joints is told by Robot.)")
+among joints is told by Robot.)");
+  bound
       .def(
           "__init__",
           [](RobotJoint* place, const std::string& name, RobotJointKind kind, const std::string& parent,
@@ -151,28 +153,35 @@ among joints is told by Robot.)")
       .def_prop_ro("axis", [](const RobotJoint& joint) { return array_of(joint.axis); })
       .def_prop_ro("limits", [](const RobotJoint& joint) { return limits_of(joint.limits); })
       .def_prop_ro("mimic", &mimic_of)
-      .def("__repr__",
-           [](const RobotJoint& joint) {
-             return fmt::format("RobotJoint{}", nb::cast<std::string>(nb::repr(arguments_of(joint))));
-           })
-      .def(
-          "__eq__",
-          [](const RobotJoint& joint, const nb::object& other) {
-            return nb::isinstance<RobotJoint>(other) &&
-                   arguments_of(joint).equal(arguments_of(nb::cast<const RobotJoint&>(other)));
-          },
-          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__reduce__",
-           [](const RobotJoint& joint) { return nb::make_tuple(nb::type<RobotJoint>(), arguments_of(joint)); })
-      .attr("__hash__") = nb::none();
-  nb::class_<RobotPosition>(module, "RobotPosition", "One of the numbers that a configuration is made of.")
-      .def_ro("name", &RobotPosition::name, "The joint's; of a planar or floating one with \"/x\", \"/y\", …")
+      .def("__repr__", [](const RobotJoint& joint) {
+        return fmt::format("RobotJoint{}", nb::cast<std::string>(nb::repr(arguments_of(joint))));
+      });
+  bind_value(bound, [](const RobotJoint& joint) { return arguments_of(joint); });
+}
+
+RobotPosition position_of_state(const nb::tuple& state) {
+  if (state.size() != 4) throw Error("a pickled RobotPosition of another version");
+  RobotPosition position{nb::cast<std::string>(state[0]), nb::cast<Index>(state[1]), {}, nb::cast<bool>(state[3])};
+  if (const auto limits = nb::cast<std::optional<std::pair<double, double>>>(state[2]))
+    position.limits = JointLimits{limits->first, limits->second};
+  return position;
+}
+
+void bind_position(nb::module_& module) {
+  nb::class_<RobotPosition> bound(module, "RobotPosition", "One of the numbers that a configuration is made of.");
+  bound.def_ro("name", &RobotPosition::name, "The joint's; of a planar or floating one with \"/x\", \"/y\", …")
       .def_ro("joint", &RobotPosition::joint, "The number of the joint.")
       .def_ro("turns", &RobotPosition::turns, "It is in radians; else a length.")
       .def_prop_ro("limits", [](const RobotPosition& position) { return limits_of(position.limits); })
       .def("__repr__", [](const RobotPosition& position) {
         return fmt::format("<toccata.RobotPosition: {}, {}>", position.name, position.turns ? "radians" : "a length");
       });
+  bind_answer_value(
+      bound,
+      [](const RobotPosition& position) {
+        return nb::make_tuple(position.name, position.joint, limits_of(position.limits), position.turns);
+      },
+      &position_of_state);
 }
 
 // Robots.
@@ -183,38 +192,95 @@ std::vector<std::string> link_names(const Robot& robot) {
   return names;
 }
 
-Robot described(const nb::dict& links, const nb::sequence& joints, const std::string& name, const PoseLike& base) {
+RobotLink described_link(const std::string& name, nb::handle shapes) {
+  RobotLink link{name, {}};
+  for (const SceneInstance& shape : instances_of(shapes, fmt::format("link '{}'", name)))
+    link.shapes.push_back({shape.model.shape(), shape.pose, shape.solid, shape.name});
+  return link;
+}
+
+AttachedObject attached_of(nb::handle given, std::size_t number) {
+  if (!PyTuple_Check(given.ptr()) || nb::len(given) != 5)
+    throw Error(fmt::format("attached: entry {} is no (name, shapes, link, pose, touch_links)", number));
+  const auto told = [&](std::size_t i) { return nb::object(nb::borrow(given)[i]); };
+  std::vector<std::string> touch_links;
+  if (!nb::try_cast(told(4), touch_links))
+    throw Error(fmt::format("attached, entry {}: touch_links are a list of names of links", number));
+  return {described_link(text_given(told(0), "attached"), told(1)), text_given(told(2), "attached"),
+          pose_of(told(3), fmt::format("attached, entry {}", number)), std::move(touch_links)};
+}
+
+Robot described(const nb::dict& links, const nb::sequence& joints, const std::string& name, const PoseLike& base,
+                const nb::sequence& attached) {
   RobotDescription robot{name, {}, {}, pose_of(base, "base")};
   for (const auto& [link, shapes] : links) {
     if (!PyUnicode_Check(link.ptr())) throw Error("links: names of links are needed as keys");
-    robot.links.push_back({text_given(link, "links"), {}});
-    for (const SceneInstance& shape : instances_of(shapes, fmt::format("link '{}'", robot.links.back().name)))
-      robot.links.back().shapes.push_back({shape.model.shape(), shape.pose, shape.solid, shape.name});
+    robot.links.push_back(described_link(text_given(link, "links"), shapes));
   }
   for (const nb::handle joint : joints) {
     if (!nb::isinstance<RobotJoint>(joint))
       throw Error(fmt::format("joints: entry {} is no RobotJoint", robot.joints.size()));
     robot.joints.push_back(nb::cast<const RobotJoint&>(joint));
   }
-  return without_lock([&] { return Robot(std::move(robot)); });
+  std::vector<AttachedObject> objects;
+  for (const nb::handle object : attached) objects.push_back(attached_of(object, objects.size()));
+  return without_lock([&] {
+    Robot made(std::move(robot));
+    for (const AttachedObject& object : objects) made = made.with_attached(object);
+    return made;
+  });
 }
 
 /// Where the root link is at every configuration.
 Pose base_of(const Robot& robot) { return robot.link_poses(robot.rest())[robot.root()]; }
 
-/// What `described` makes it of.
-nb::tuple arguments_of(const Robot& robot) {
-  if (!robot.touching_attachments().empty())
-    throw Error("a robot that holds something cannot be pickled; pickle it before something is attached");
-  nb::dict links;
-  const auto name_of = [&](Index link) { return nb::cast(robot.links()[link].name); };  // there may be a NUL in it
-  for (Index link = 0; link < robot.links().size(); ++link) links[name_of(link)] = nb::list();
+nb::object name_of_link(const Robot& robot, Index link) {
+  return nb::cast(robot.links()[link].name);  // there may be a NUL in it
+}
+
+/// Of each link, its shapes as they were given.
+std::vector<nb::list> shapes_of_links(const Robot& robot) {
+  std::vector<nb::list> shapes(robot.links().size());
   for (const Robot::Body& body : robot.bodies())
-    nb::borrow<nb::list>(links[name_of(body.link)])
-        .append(nb::cast(SceneInstance{body.model, body.pose, body.solid, body.name}));
+    shapes[body.link].append(nb::cast(SceneInstance{body.model, body.pose, body.solid, body.name}));
+  return shapes;
+}
+
+/// Links that were attached are the last ones, each with the last joints: of the first is told which they may touch,
+/// that first on which they hang.
+std::size_t count_attached(const Robot& robot) {
+  std::size_t count = 0;
+  std::optional<Index> last;
+  for (const IndexPair& pair : robot.touching_attachments())
+    if (std::exchange(last, pair.second) != pair.second) ++count;
+  return count;
+}
+
+nb::list attached_told(const Robot& robot, const std::vector<nb::list>& shapes) {
+  nb::list told;
+  const std::size_t count = count_attached(robot), first = robot.links().size() - count;
+  for (std::size_t link = first; link < robot.links().size(); ++link) {
+    const RobotJoint& joint = robot.joints()[robot.joints().size() - robot.links().size() + link];
+    nb::list touched;
+    for (const IndexPair& pair : robot.touching_attachments())
+      if (pair.second == link) touched.append(name_of_link(robot, pair.first));
+    touched.attr("pop")(0);  // that on which it hangs
+    told.append(nb::make_tuple(name_of_link(robot, static_cast<Index>(link)), shapes[link], nb::cast(joint.parent),
+                               joint.origin, touched));
+  }
+  return told;
+}
+
+/// What `described` makes it of.
+Making making_of_robot(const Robot& robot) {
+  const std::vector<nb::list> shapes = shapes_of_links(robot);
+  const std::size_t attached = count_attached(robot);
+  nb::dict links, named;
+  for (Index link = 0; link < robot.links().size() - attached; ++link) links[name_of_link(robot, link)] = shapes[link];
   nb::list joints;
-  for (const RobotJoint& joint : robot.joints()) joints.append(nb::cast(joint));
-  return nb::make_tuple(links, joints, robot.name(), base_of(robot));
+  for (const RobotJoint& joint : robot.joints().first(robot.joints().size() - attached)) joints.append(nb::cast(joint));
+  if (attached > 0) named["attached"] = attached_told(robot, shapes);
+  return {nb::make_tuple(links, joints, robot.name(), base_of(robot)), named};
 }
 
 Floats limits_told(const Robot& robot) {
@@ -260,11 +326,14 @@ void bind_making(nb::class_<Robot>& bound) {
       .def(
           "__init__",
           [](Robot* place, const nb::dict& links, const nb::sequence& joints, const std::string& name,
-             const PoseLike& base) { new (place) Robot(described(links, joints, name, base)); },
+             const PoseLike& base,
+             const nb::sequence& attached) { new (place) Robot(described(links, joints, name, base, attached)); },
           nb::arg("links"), nb::arg("joints") = nb::tuple(), nb::arg("name") = "", nb::arg("base") = nb::none(),
+          nb::arg("attached") = nb::tuple(),
           nb::sig("def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: "
                   "collections.abc.Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = "
-                  "None) -> None"))
+                  "None, attached: collections.abc.Sequence[tuple[str, toccata._typing.ObjectsLike, str, "
+                  "toccata._typing.PoseLike | None, collections.abc.Sequence[str]]] = ()) -> None"))
       .def_static(
           "from_urdf", &read_robot, nb::arg("path"), nb::arg("packages") = nb::tuple(),
           nb::sig(
@@ -300,12 +369,15 @@ void bind_making(nb::class_<Robot>& bound) {
           "A robot that holds a shape too: a link more, fixed to `link` at a pose in its frame, in the unit of the "
           "robot. It "
           "may touch that link "
-          "and those that are named. Positions stay as they are. Raises Error for links that there are not.")
-      .def("__copy__", [](const Robot& robot) { return robot; })
-      .def(
-          "__deepcopy__", [](const Robot& robot, const nb::dict&) { return robot; }, nb::arg("memo"),
-          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> Robot"))
-      .def("__reduce__", [](const Robot& robot) { return nb::make_tuple(nb::type<Robot>(), arguments_of(robot)); });
+          "and those that are named. Positions stay as they are. Raises Error for links that there are not.");
+}
+
+void bind_manners_of_robots(nb::class_<Robot>& bound) {
+  bind_copying(bound);
+  bind_value(bound, &making_of_robot);
+  bound.def("__hash__", [](const Robot& robot) {
+    return nb::hash(nb::make_tuple(robot.name(), nb::tuple(nb::cast(link_names(robot)))));
+  });
 }
 
 void bind_parts_of_robot(nb::class_<Robot>& bound) {
@@ -426,10 +498,12 @@ void bind_robot(nb::module_& module) {
   nb::class_<Robot> bound(module, "Robot", R"(A tree of links and joints. Immutable.
 
 Robot(links, joints): links are names with the shapes of each, as SceneInstance takes them, in the link's frame; base is
-where the root link is in the world. Configurations are arrays of a number for each of `positions`, in radians where it
+where the root link is in the world. attached: what it holds, (name, shapes, link, pose, touch_links) of each, as with_attached
+takes them. Configurations are arrays of a number for each of `positions`, in radians where it
 turns and in the unit of the lengths where it slides (URDF: metres). Raises Error naming the link or joint: no tree, two of
 one name, an axis or a number that is not finite, limits the wrong way round.)");
   bind_making(bound);
+  bind_manners_of_robots(bound);
   bind_parts_of_robot(bound);
   bind_configurations(bound);
   bind_allowed(bound);
@@ -439,6 +513,7 @@ one name, an axis or a number that is not finite, limits the wrong way round.)")
 
 void bind_robots(nb::module_& module) {
   bind_joint(module);
+  bind_position(module);
   bind_robot(module);
   bind_robot_scenes(module);
 }

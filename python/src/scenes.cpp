@@ -12,6 +12,7 @@
 #include "characters.hpp"
 #include "depths.hpp"
 #include "object_questions.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -146,11 +147,12 @@ nb::tuple arguments_of(const SceneInstance& instance) {
 }
 
 void bind_instance(nb::module_& module) {
-  nb::class_<SceneInstance>(module, "SceneInstance",
-                            R"(A shape at its place, as one of many.
+  nb::class_<SceneInstance> bound(module, "SceneInstance",
+                                  R"(A shape at its place, as one of many.
 
 The pose is in the world. What it is called is for messages; two of one group that is not empty are not checked against each
-other (check_all). Raises Error for what is no pose.)")
+other (check_all). Raises Error for what is no pose.)");
+  bound
       .def(
           "__init__",
           [](SceneInstance* place, const AnyShape& shape, const PoseLike& pose, Solid solid, const std::string& name,
@@ -166,22 +168,10 @@ other (check_all). Raises Error for what is no pose.)")
       .def_ro("solid", &SceneInstance::solid)
       .def_ro("name", &SceneInstance::name)
       .def_ro("group", &SceneInstance::group)
-      .def("__repr__",
-           [](const SceneInstance& instance) {
-             return fmt::format("SceneInstance{}", nb::cast<std::string>(nb::repr(arguments_of(instance))));
-           })
-      .def(
-          "__eq__",
-          [](const SceneInstance& instance, const nb::object& other) {
-            return nb::isinstance<SceneInstance>(other) &&
-                   arguments_of(instance).equal(arguments_of(nb::cast<const SceneInstance&>(other)));
-          },
-          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
-      .def("__reduce__",
-           [](const SceneInstance& instance) {
-             return nb::make_tuple(nb::type<SceneInstance>(), arguments_of(instance));
-           })
-      .attr("__hash__") = nb::none();
+      .def("__repr__", [](const SceneInstance& instance) {
+        return fmt::format("SceneInstance{}", nb::cast<std::string>(nb::repr(arguments_of(instance))));
+      });
+  bind_value(bound, [](const SceneInstance& instance) { return arguments_of(instance); });
 }
 
 nb::list objects_of(const HeldIndex& held) {
@@ -210,13 +200,10 @@ threads at once. Raises Error naming the object that cannot be posed so.)");
           nb::arg("objects"))
       .def("__len__", [](const HeldIndex& held) { return held.index.models().size(); })
       .def_prop_ro("objects", &objects_of, nb::sig("def objects(self) -> list[SceneInstance]"))
-      .def("__repr__",
-           [](const HeldIndex& held) {
-             return fmt::format("<toccata.SceneIndex of {} objects>", held.index.models().size());
-           })
-      .def("__reduce__", [](const HeldIndex& held) {
-        return nb::make_tuple(nb::type<HeldIndex>(), nb::make_tuple(objects_of(held)));
+      .def("__repr__", [](const HeldIndex& held) {
+        return fmt::format("<toccata.SceneIndex of {} objects>", held.index.models().size());
       });
+  bind_pickling(bound, [](const HeldIndex& held) { return nb::make_tuple(objects_of(held)); });
   ObjectQuestions<SceneObjects, HeldIndex>(bound).bind();
   CharacterQuestions<SceneObjects, HeldIndex>(module, bound, "Scene").bind();
 }
@@ -251,6 +238,65 @@ Answers regions_told(const CheckAnswer& answer) {
   std::vector<std::vector<Region>> lists;
   for (const PairAnswer& pair : answer.pairs) lists.push_back(flat(pair.regions));
   return structured(numbered<OfPair>(lists));
+}
+
+Answers checked_distances(const CheckAnswer& answer) {
+  return rows_of_pairs<Distance>(answer, [](const PairAnswer& pair) { return pair.distance; });
+}
+
+Answers checked_penetrations(const CheckAnswer& answer) {
+  return rows_of_pairs<DepthBracket>(answer, [](const PairAnswer& pair) -> std::optional<DepthBracket> {
+    if (!pair.penetration) return {};
+    return DepthBracket{*pair.penetration, pair.depth_end};
+  });
+}
+
+Answers checked_local_depths(const CheckAnswer& answer) {
+  return rows_of_pairs<ContactRegion::Depth>(answer, [](const PairAnswer& pair) { return pair.local_depth; });
+}
+
+Answers checked_volumes(const CheckAnswer& answer) {
+  return rows_of_pairs<OverlapVolume>(answer, [](const PairAnswer& pair) { return pair.volume; });
+}
+
+/// All that Python is told.
+nb::tuple state_of_check(const CheckAnswer& answer) {
+  return nb::make_tuple(structured(pairs_of(answer)), contacts_told(answer), regions_told(answer),
+                        checked_distances(answer), checked_penetrations(answer), checked_volumes(answer),
+                        checked_local_depths(answer), answer.candidate_pairs);
+}
+
+CheckAnswer check_of_state(const nb::tuple& state) {
+  constexpr const char* what = "a pickled CheckAnswer";
+  if (state.size() != 8) throw Error("a pickled CheckAnswer of another version");
+  CheckAnswer answer;
+  answer.candidate_pairs = nb::cast<std::size_t>(state[7]);
+  for (const CheckedPair& checked : answers_of<CheckedPair>(state[0], what)) {
+    PairAnswer pair;
+    pair.a = checked.a;
+    pair.b = checked.b;
+    pair.relation = checked.relation;
+    pair.kind = checked.clash;
+    pair.tolerance = checked.tolerance;
+    pair.piercing = checked.piercing;
+    answer.pairs.push_back(std::move(pair));
+  }
+  std::vector<PairAnswer>& pairs = answer.pairs;
+  for_rows<Contact, OfPair>(state[1], pairs.size(), what,
+                            [&](Index i, const Contact& contact) { pairs[i].contacts.push_back(contact); });
+  for_rows<Region, OfPair>(state[2], pairs.size(), what,
+                           [&](Index i, const Region& row) { pairs[i].regions.push_back(region_of(row)); });
+  for_rows<Distance, OfPair>(state[3], pairs.size(), what,
+                             [&](Index i, const Distance& distance) { pairs[i].distance = distance; });
+  for_rows<DepthBracket, OfPair>(state[4], pairs.size(), what, [&](Index i, const DepthBracket& depth) {
+    pairs[i].penetration = depth.penetration;
+    pairs[i].depth_end = depth.end;
+  });
+  for_rows<OverlapVolume, OfPair>(state[5], pairs.size(), what,
+                                  [&](Index i, const OverlapVolume& volume) { pairs[i].volume = volume; });
+  for_rows<ContactRegion::Depth, OfPair>(
+      state[6], pairs.size(), what, [&](Index i, const ContactRegion::Depth& depth) { pairs[i].local_depth = depth; });
+  return answer;
 }
 
 CheckOptions options_of(const nb::object& clearance, const nb::object& pair_clearances) {
@@ -301,10 +347,10 @@ void bind_check_answer(nb::module_& module) {
       .value("precise", DepthEnd::precise)
       .value("exhausted", DepthEnd::exhausted)
       .value("out_of_time", DepthEnd::out_of_time);
-  nb::class_<CheckAnswer>(module, "CheckAnswer", R"(What check_all found. Its length is the number of pairs.
+  nb::class_<CheckAnswer> bound(module, "CheckAnswer", R"(What check_all found. Its length is the number of pairs.
 
-Everything is told in structured arrays; where one has a field pair, that counts the rows of pairs.)")
-      .def("__len__", [](const CheckAnswer& answer) { return answer.pairs.size(); })
+Everything is told in structured arrays; where one has a field pair, that counts the rows of pairs.)");
+  bound.def("__len__", [](const CheckAnswer& answer) { return answer.pairs.size(); })
       .def_prop_ro(
           "pairs", [](const CheckAnswer& answer) { return structured(pairs_of(answer)); },
           "a, b, the members of Relation, clash (ClashKind), tolerance (ClashTolerance) and piercing (ClashPiercing), "
@@ -313,38 +359,19 @@ Everything is told in structured arrays; where one has a field pair, that counts
           "contacts", [](const CheckAnswer& answer) { return contacts_told(answer); },
           "pair and the fields of contacts.")
       .def_prop_ro("regions", &regions_told, "pair and the fields of contact_regions, of two meshes, with penetration.")
-      .def_prop_ro(
-          "distances",
-          [](const CheckAnswer& answer) {
-            return rows_of_pairs<Distance>(answer, [](const PairAnswer& pair) { return pair.distance; });
-          },
-          "pair and the members of Distance, where a clearance was asked for.")
-      .def_prop_ro(
-          "penetrations",
-          [](const CheckAnswer& answer) {
-            return rows_of_pairs<DepthBracket>(answer, [](const PairAnswer& pair) -> std::optional<DepthBracket> {
-              if (!pair.penetration) return {};
-              return DepthBracket{*pair.penetration, pair.depth_end};
-            });
-          },
-          "pair, the members of Penetration, and end (DepthEnd).")
-      .def_prop_ro(
-          "local_depths",
-          [](const CheckAnswer& answer) {
-            return rows_of_pairs<ContactRegion::Depth>(answer, [](const PairAnswer& pair) { return pair.local_depth; });
-          },
-          "pair, lower and upper: how deep two meshes are in each other where they are deepest, where that decided how "
-          "they stand to the tolerance; upper is infinite where it was not needed.")
-      .def_prop_ro(
-          "volumes",
-          [](const CheckAnswer& answer) {
-            return rows_of_pairs<OverlapVolume>(answer, [](const PairAnswer& pair) { return pair.volume; });
-          },
-          "pair and the members of OverlapVolume, where the volume was asked for.")
+      .def_prop_ro("distances", &checked_distances,
+                   "pair and the members of Distance, where a clearance was asked for.")
+      .def_prop_ro("penetrations", &checked_penetrations, "pair, the members of Penetration, and end (DepthEnd).")
+      .def_prop_ro("local_depths", &checked_local_depths,
+                   "pair, lower and upper: how deep two meshes are in each other where they are deepest, where that "
+                   "decided how they stand to the tolerance; upper is infinite where it was not needed.")
+      .def_prop_ro("volumes", &checked_volumes,
+                   "pair and the members of OverlapVolume, where the volume was asked for.")
       .def_ro("candidate_pairs", &CheckAnswer::candidate_pairs, "How many pairs were looked at.")
       .def("__repr__", [](const CheckAnswer& answer) {
         return fmt::format("<toccata.CheckAnswer of {} pairs>", answer.pairs.size());
       });
+  bind_answer_value(bound, &state_of_check, &check_of_state);
 }
 
 void bind_check_all(nb::module_& module) {

@@ -22,6 +22,7 @@
 #include "answers.hpp"
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -141,9 +142,8 @@ void bind_described(nb::module_& module, const char* name, const char* doc, std:
   };
   (property(std::integral_constant<std::size_t, i>{}), ...);
   bound.def("__repr__", [](const Bound& shape) { return text_of(shape_of<S>(shape)); })
-      .def("__hash__", [](const Bound& shape) { return nb::hash(arguments_of(shape_of<S>(shape))); })
-      .def("__reduce__",
-           [](const Bound& shape) { return nb::make_tuple(nb::type<Bound>(), arguments_of(shape_of<S>(shape))); });
+      .def("__hash__", [](const Bound& shape) { return nb::hash(arguments_of(shape_of<S>(shape))); });
+  bind_pickling(bound, [](const Bound& shape) { return arguments_of(shape_of<S>(shape)); });
 }
 
 template <class S>
@@ -310,8 +310,8 @@ void bind_manners_of_meshes(BoundMesh& bound) {
              return fmt::format("<toccata.Mesh of {} vertices and {} triangles>", triangles.vertices().size(),
                                 triangles.triangle_count());
            })
-      .def("__reduce__", [](const Mesh& mesh) { return nb::make_tuple(nb::type<Mesh>(), mesh_arguments(mesh)); })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound, &mesh_arguments);
 }
 
 void bind_found_meshes(nb::module_& module) {
@@ -431,10 +431,11 @@ nb::object vertex_array(const Triangle& triangle) {
 }
 
 void bind_triangle(nb::module_& module) {
-  nb::class_<Triple, AnyShape>(
+  nb::class_<Triple, AnyShape> bound(
       module, "Triangle",
       "A triangle, which may be a segment or a point: a surface. Vertices of the shape (3, 3), "
-      "in its own frame and any unit. Raises Error when a number is not finite.")
+      "in its own frame and any unit. Raises Error when a number is not finite.");
+  bound
       .def(
           "__init__",
           [](Triple* place, const ArrayLike& vertices) {
@@ -452,21 +453,21 @@ void bind_triangle(nb::module_& module) {
                                 nb::cast<std::string>(nb::repr(nb::make_tuple(
                                     tuple_of(triangle[0]), tuple_of(triangle[1]), tuple_of(triangle[2])))));
            })
-      .def("__reduce__",
-           [](const Triple& t) {
-             return nb::make_tuple(nb::type<Triple>(), nb::make_tuple(vertex_array(shape_of<Triangle>(t))));
-           })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound, [](const Triple& t) { return nb::make_tuple(vertex_array(shape_of<Triangle>(t))); });
 }
 
 void bind_hull(nb::module_& module) {
-  nb::class_<Hull, AnyShape>(
+  nb::class_<Hull, AnyShape> bound(
       module, "ConvexHull",
       "The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. "
       "Dobkin, H. Huhdanpaa, \"The "
-      "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. "
+      "quickhull algorithm for convex hulls\", 1996). It may be flat, and is a surface then. It is made in one go: "
+      "Ctrl-C is "
+      "taken when it is done. "
       "Raises Error when there is no "
-      "point, or one is not finite.")
+      "point, or one is not finite.");
+  bound
       .def(
           "__init__",
           [](Hull* place, const ArrayLike& points) {
@@ -485,20 +486,18 @@ void bind_hull(nb::module_& module) {
            [](const Hull& hull) {
              return fmt::format("<toccata.ConvexHull of {} vertices>", shape_of<ConvexHull>(hull).vertex_count());
            })
-      .def("__reduce__",
-           [](const Hull& hull) {
-             return nb::make_tuple(nb::type<Hull>(), nb::make_tuple(vertex_array(shape_of<ConvexHull>(hull))));
-           })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound, [](const Hull& hull) { return nb::make_tuple(vertex_array(shape_of<ConvexHull>(hull))); });
 }
 
 void bind_height_field(nb::module_& module) {
-  nb::class_<Field, AnyShape>(
+  nb::class_<Field, AnyShape> bound(
       module, "HeightField",
       "A surface above a grid in the x-y plane of its own frame: the vertex of row j and column i is (i * spacing[0], "
       "j * spacing[1], "
       "heights[j, i]), in any unit. Heights of the shape (rows, columns), at least two of each. Raises Error when a "
-      "number is not finite, or a spacing is not positive.")
+      "number is not finite, or a spacing is not positive.");
+  bound
       .def(
           "__init__",
           [](Field* place, const ArrayLike& heights, const ArrayLike& spacing) {
@@ -520,25 +519,23 @@ void bind_height_field(nb::module_& module) {
              const HeightField& shape = shape_of<HeightField>(field);
              return fmt::format("<toccata.HeightField of {} rows and {} columns>", shape.rows(), shape.columns());
            })
-      .def("__reduce__",
-           [](const Field& field) {
-             const HeightField& shape = shape_of<HeightField>(field);
-             return nb::make_tuple(
-                 nb::type<Field>(),
-                 nb::make_tuple(heights_of(shape), nb::make_tuple(shape.spacing_x(), shape.spacing_y())));
-           })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound, [](const Field& field) {
+    const HeightField& shape = shape_of<HeightField>(field);
+    return nb::make_tuple(heights_of(shape), nb::make_tuple(shape.spacing_x(), shape.spacing_y()));
+  });
 }
 
 void bind_rounded(nb::module_& module) {
   const auto core = [](const Round& round) {
     return std::visit([](const auto& shape) { return shape_object(Model(shape)); }, shape_of<Rounded>(round).core());
   };
-  nb::class_<Round, AnyShape>(
+  nb::class_<Round, AnyShape> bound(
       module, "Rounded",
       "A point, segment, triangle, box or convex hull grown by a ball: all points within the radius "
       "of it, in the unit of the shape. Its pose may not deform it. Raises Error when the radius is not positive, and "
-      "for another shape.")
+      "for another shape.");
+  bound
       .def(
           "__init__",
           [](Round* place, const AnyShape& shape, double radius) {
@@ -552,18 +549,17 @@ void bind_rounded(nb::module_& module) {
              return fmt::format("Rounded(core={}, radius={})", nb::cast<std::string>(nb::repr(core(round))),
                                 nb::cast<std::string>(nb::repr(nb::float_(shape_of<Rounded>(round).radius()))));
            })
-      .def("__reduce__",
-           [core](const Round& round) {
-             return nb::make_tuple(nb::type<Round>(), nb::make_tuple(core(round), shape_of<Rounded>(round).radius()));
-           })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound,
+                [core](const Round& round) { return nb::make_tuple(core(round), shape_of<Rounded>(round).radius()); });
 }
 
 void bind_compound(nb::module_& module) {
-  nb::class_<Parts, AnyShape>(
+  nb::class_<Parts, AnyShape> bound(
       module, "Compound",
       "The union of shapes, each a shape or a pair (shape, pose) in the frame of the whole, in one unit; solid if all "
-      "parts are. Raises Error when there is none, and for a pose that is not finite.")
+      "parts are. Raises Error when there is none, and for a pose that is not finite.");
+  bound
       .def(
           "__init__",
           [](Parts* place, const nb::object& parts) {
@@ -581,45 +577,17 @@ void bind_compound(nb::module_& module) {
            [](const Parts& compound) {
              return fmt::format("<toccata.Compound of {} parts>", shape_of<Compound>(compound).parts().size());
            })
-      .def("__reduce__",
-           [](const Parts& compound) { return nb::make_tuple(nb::type<Parts>(), nb::make_tuple(parts_of(compound))); })
       .attr("__hash__") = nb::none();
+  bind_pickling(bound, [](const Parts& compound) { return nb::make_tuple(parts_of(compound)); });
 }
 
-}  // namespace
-
-std::string_view how_made(nb::handle given) {
-  const bool is_mesh = nb::hasattr(given, "vertices") && nb::hasattr(given, "faces");
-  return is_mesh ? "; toccata.Mesh(it) makes one of a mesh of trimesh or the like" : "";
-}
-
-Models models_of(nb::handle given, std::string_view what) {
-  if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
-  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them{}", what, how_made(given)));
-  Models models;
-  for (const nb::handle shape : given) {
-    if (!nb::isinstance<AnyShape>(shape))
-      throw Error(fmt::format("{}: entry {} is no shape{}", what, models.each.size(), how_made(shape)));
-    models.each.push_back(nb::cast<const AnyShape&>(shape).model);
-  }
-  return models;
-}
-
-nb::object shape_object(const Model& model) {
-  return std::visit([&]<class S>(const S&) { return nb::cast(ShapeOf<S>{AnyShape{model}}); }, model.shape());
-}
-
-void bind_shapes(nb::module_& module) {
-  nb::enum_<Solid>(module, "Solid", "What a mesh is taken for.")
-      .value("automatic", Solid::automatic, "Closed meshes are solids, open ones surfaces.")
-      .value("all", Solid::all, "It must be a solid: an open mesh is an error.")
-      .value("none", Solid::none, "A surface.");
-  bind_answer<MeshHealth>(module);
-  nb::class_<AnyShape>(
+void bind_base(nb::module_& module) {
+  nb::class_<AnyShape> bound(
       module, "Shape",
       "What all shapes have in common. A shape is made once, may be shared by threads, and is asked about "
       "under any pose. Lengths have no unit: they come back in that of the numbers given.",
-      nb::is_weak_referenceable())
+      nb::is_weak_referenceable());
+  bound
       .def_prop_ro(
           "kind", [](const AnyShape& shape) { return std::string(name_of(shape.model.shape())); },
           "'sphere', 'convex hull', 'mesh' …")
@@ -631,18 +599,18 @@ void bind_shapes(nb::module_& module) {
           "solid", [](const AnyShape& shape) { return taken_as_solid(shape.model, Solid::automatic); },
           "It has an interior, and is no mere surface.")
       .def(
-          "__copy__", [](const AnyShape& shape) { return shape_object(shape.model); },
-          nb::sig("def __copy__(self) -> Shape"))
-      .def(
-          "__deepcopy__", [](const AnyShape& shape, const nb::dict&) { return shape_object(shape.model); },
-          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> Shape"))
-      .def(
           "__eq__",
           [](const AnyShape& a, const nb::object& other) {
             return nb::isinstance<AnyShape>(other) &&
                    equal(a.model.shape(), nb::cast<const AnyShape&>(other).model.shape());
           },
-          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
+          nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__repr__",
+           [](const AnyShape& shape) { return fmt::format("<toccata.Shape: {}>", name_of(shape.model.shape())); });
+  bind_copying(bound);
+}
+
+void bind_plain_shapes(nb::module_& module) {
   bind_described<Point>(
       module, "Point",
       "One point, shape (3,), in its own frame and any unit: a surface. Raises Error when a number is not finite.");
@@ -680,6 +648,39 @@ void bind_shapes(nb::module_& module) {
       module, "Ellipsoid",
       "A solid ellipsoid around the origin of its own frame, its half axes, shape (3,), along the axes, in any unit. "
       "Raises Error when one is not positive and finite.");
+}
+
+}  // namespace
+
+std::string_view how_made(nb::handle given) {
+  const bool is_mesh = nb::hasattr(given, "vertices") && nb::hasattr(given, "faces");
+  return is_mesh ? "; toccata.Mesh(it) makes one of a mesh of trimesh or the like" : "";
+}
+
+Models models_of(nb::handle given, std::string_view what) {
+  if (nb::isinstance<AnyShape>(given)) return {{nb::cast<const AnyShape&>(given).model}, true};
+  if (!is_list(given)) throw Error(fmt::format("{}: a shape is needed, or a list of them{}", what, how_made(given)));
+  Models models;
+  for (const nb::handle shape : given) {
+    if (!nb::isinstance<AnyShape>(shape))
+      throw Error(fmt::format("{}: entry {} is no shape{}", what, models.each.size(), how_made(shape)));
+    models.each.push_back(nb::cast<const AnyShape&>(shape).model);
+  }
+  return models;
+}
+
+nb::object shape_object(const Model& model) {
+  return std::visit([&]<class S>(const S&) { return nb::cast(ShapeOf<S>{AnyShape{model}}); }, model.shape());
+}
+
+void bind_shapes(nb::module_& module) {
+  nb::enum_<Solid>(module, "Solid", "What a mesh is taken for.")
+      .value("automatic", Solid::automatic, "Closed meshes are solids, open ones surfaces.")
+      .value("all", Solid::all, "It must be a solid: an open mesh is an error.")
+      .value("none", Solid::none, "A surface.");
+  bind_answer<MeshHealth>(module);
+  bind_base(module);
+  bind_plain_shapes(module);
   bind_hull(module);
   bind_rounded(module);
   bind_height_field(module);

@@ -19,7 +19,7 @@
 #include "characters.hpp"
 #include "motions.hpp"
 #include "object_questions.hpp"
-#include "world_overlap.hpp"
+#include "values.hpp"
 
 namespace toccata::python {
 
@@ -80,12 +80,19 @@ namespace {
 class HeldWorld {
  public:
   explicit HeldWorld(const WorldOptions& options) : world_(options) {}
-  explicit HeldWorld(World world) : world_(std::move(world)) {}
+  /// A snapshot.
+  HeldWorld(const HeldWorld& other) : HeldWorld(other.snapshot()) {}
 
   /// `use(world)`, without the interpreter's lock.
   template <class Use>
   auto with(const Use& use) const {
     const nb::gil_scoped_release released;
+    return alone(use);
+  }
+
+  /// `use(world)`, of who has given the interpreter's lock away.
+  template <class Use>
+  auto alone(const Use& use) const {
     const std::lock_guard guard(*mutex_);
     return use(world_);
   }
@@ -108,7 +115,13 @@ class HeldWorld {
   }
 
  private:
-  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  explicit HeldWorld(World world) : world_(std::move(world)) {}
+
+  [[nodiscard]] World snapshot() const {
+    return with([](const World& world) { return World(world); });
+  }
+
+  std::unique_ptr<Turns> mutex_ = std::make_unique<Turns>();
   mutable World world_;
   mutable std::optional<WorldQueries> queries_{};
 };
@@ -120,9 +133,11 @@ constexpr std::size_t few_bodies = 2000;
 bool any_overlap_in(const HeldWorld& held) {
   const auto of_few = held.with([](const World& world) -> std::optional<bool> {
     if (world.size() > few_bodies) return {};
-    return any_overlap_of_few(world);
+    return any_overlap(world);
   });
-  return of_few ? *of_few : without_lock([&] { return held.ask(&any_overlap); });
+  return of_few ? *of_few : without_lock([&] {
+    return held.ask([](const WorldQueries& queries) { return queries.any_overlap(); });
+  });
 }
 
 /// Which bodies are asked.
@@ -194,66 +209,91 @@ Answers rows_of_details(const HeldPairs& pairs, const Value& value) {
   return structured(std::move(rows));
 }
 
-Answers contacts_told(const HeldPairs& pairs) {
+Answers pair_contacts(const HeldPairs& pairs) {
   std::vector<std::vector<Contact>> lists;
   for (const PairReport& report : pairs.reports)
     lists.push_back(report.details == nullptr ? std::vector<Contact>{} : report.details->contacts);
   return structured(numbered<OfPair>(lists));
 }
 
+Answers pair_list(const HeldPairs& pairs) {
+  std::vector<WorldPair> rows;
+  for (const PairReport& report : pairs.reports) rows.push_back({report.a, report.b, report.in_contact});
+  return structured(std::move(rows));
+}
+Answers pair_relations(const HeldPairs& pairs) {
+  return rows_of_details<Relation>(pairs, [](const PairDetails& d) { return d.relation; });
+}
+Answers pair_distances(const HeldPairs& pairs) {
+  return rows_of_details<Distance>(pairs, [](const PairDetails& d) { return d.distance; });
+}
+Answers pair_penetrations(const HeldPairs& pairs) {
+  return rows_of_details<Penetration>(pairs, [](const PairDetails& d) { return d.penetration; });
+}
+Answers pair_first_contacts(const HeldPairs& pairs) {
+  return rows_of_details<ShapeHit>(pairs, [](const PairDetails& d) { return d.first_contact; });
+}
+
+std::optional<Manifold> pair_manifold(const HeldPairs& pairs, std::size_t pair) {
+  if (pair >= pairs.reports.size())
+    throw Error(fmt::format("there are {} pairs, and none of number {}", pairs.reports.size(), pair));
+  const auto& details = pairs.reports[pair].details;
+  return details == nullptr ? std::nullopt : details->manifold;
+}
+
+/// All that Python is told; manifolds as pairs (number, Manifold).
+nb::tuple state_of_pairs(const HeldPairs& pairs) {
+  nb::list manifolds;
+  for (std::size_t i = 0; i < pairs.reports.size(); ++i)
+    if (const auto manifold = pair_manifold(pairs, i)) manifolds.append(nb::make_tuple(i, *manifold));
+  return nb::make_tuple(pair_list(pairs), pair_relations(pairs), pair_distances(pairs), pair_penetrations(pairs),
+                        pair_first_contacts(pairs), pair_contacts(pairs), manifolds);
+}
+
+HeldPairs pairs_of_state(const nb::tuple& state) {
+  constexpr const char* what = "a pickled WorldPairs";
+  if (state.size() != 7) throw Error("a pickled WorldPairs of another version");
+  HeldPairs pairs;
+  for (const WorldPair& pair : answers_of<WorldPair>(state[0], what))
+    pairs.reports.push_back({pair.a, pair.b, pair.in_contact, {}});
+  const std::size_t count = pairs.reports.size();
+  std::vector<std::optional<PairDetails>> details(count);
+  const auto of = [&](std::size_t i) -> PairDetails& { return details[i] ? *details[i] : details[i].emplace(); };
+  for_rows<Relation, OfPair>(state[1], count, what, [&](Index i, const Relation& row) { of(i).relation = row; });
+  for_rows<Distance, OfPair>(state[2], count, what, [&](Index i, const Distance& row) { of(i).distance = row; });
+  for_rows<Penetration, OfPair>(state[3], count, what,
+                                [&](Index i, const Penetration& row) { of(i).penetration = row; });
+  for_rows<ShapeHit, OfPair>(state[4], count, what, [&](Index i, const ShapeHit& row) { of(i).first_contact = row; });
+  for_rows<Contact, OfPair>(state[5], count, what, [&](Index i, const Contact& row) { of(i).contacts.push_back(row); });
+  for (const nb::handle manifold : nb::cast<nb::list>(state[6])) {
+    const auto number = nb::cast<std::size_t>(manifold[0]);
+    if (number >= count) throw Error(fmt::format("{}: there is no pair {}", what, number));
+    of(number).manifold = nb::cast<const Manifold&>(manifold[1]);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (details[i]) pairs.reports[i].details = std::make_shared<const PairDetails>(std::move(*details[i]));
+  return pairs;
+}
+
 void bind_pairs(nb::module_& module) {
-  nb::class_<HeldPairs>(
+  nb::class_<HeldPairs> bound(
       module, "WorldPairs",
       "Pairs of bodies that a step found, ascending, and what was asked to be told of them. Where an array "
-      "has a field pair, that counts the rows of pairs. Lengths are in the unit of the coordinates.")
-      .def("__len__", [](const HeldPairs& pairs) { return pairs.reports.size(); })
-      .def_prop_ro(
-          "pairs",
-          [](const HeldPairs& pairs) {
-            std::vector<WorldPair> rows;
-            for (const PairReport& report : pairs.reports) rows.push_back({report.a, report.b, report.in_contact});
-            return structured(std::move(rows));
-          },
-          "A structured array: a, b (each with index, generation, world), in_contact.")
-      .def_prop_ro(
-          "relations",
-          [](const HeldPairs& pairs) {
-            return rows_of_details<Relation>(pairs, [](const PairDetails& d) { return d.relation; });
-          },
-          "pair and the members of Relation, if asked for.")
-      .def_prop_ro(
-          "distances",
-          [](const HeldPairs& pairs) {
-            return rows_of_details<Distance>(pairs, [](const PairDetails& d) { return d.distance; });
-          },
-          "pair and the members of Distance, if asked for.")
-      .def_prop_ro(
-          "penetrations",
-          [](const HeldPairs& pairs) {
-            return rows_of_details<Penetration>(pairs, [](const PairDetails& d) { return d.penetration; });
-          },
-          "pair and the members of Penetration, if asked for.")
-      .def_prop_ro(
-          "first_contacts",
-          [](const HeldPairs& pairs) {
-            return rows_of_details<ShapeHit>(pairs, [](const PairDetails& d) { return d.first_contact; });
-          },
-          "pair and the members of ShapeHit, of those that met on the way of a body (World.move_along).")
-      .def_prop_ro(
-          "contacts", [](const HeldPairs& pairs) { return contacts_told(pairs); },
-          "pair and the fields of contacts, if asked for.")
-      .def(
-          "manifold",
-          [](const HeldPairs& pairs, std::size_t pair) -> std::optional<Manifold> {
-            if (pair >= pairs.reports.size())
-              throw Error(fmt::format("there are {} pairs, and none of number {}", pairs.reports.size(), pair));
-            const auto& details = pairs.reports[pair].details;
-            return details == nullptr ? std::nullopt : details->manifold;
-          },
-          nb::arg("pair"),
-          "Its manifold, if asked for and defined, in the world. Raises Error for a number that no pair has.")
+      "has a field pair, that counts the rows of pairs. Lengths are in the unit of the coordinates.");
+  bound.def("__len__", [](const HeldPairs& pairs) { return pairs.reports.size(); })
+      .def_prop_ro("pairs", &pair_list, "A structured array: a, b (each with index, generation, world), in_contact.")
+      .def_prop_ro("relations", &pair_relations, "pair and the members of Relation, if asked for.")
+      .def_prop_ro("distances", &pair_distances, "pair and the members of Distance, if asked for.")
+      .def_prop_ro("penetrations", &pair_penetrations, "pair and the members of Penetration, if asked for.")
+      .def_prop_ro("first_contacts", &pair_first_contacts,
+                   "pair and the members of ShapeHit, of those that met on the way of a body (World.move_along).")
+      .def_prop_ro("contacts", &pair_contacts, "pair and the fields of contacts, if asked for.")
+      .def("manifold", &pair_manifold, nb::arg("pair"),
+           "Its manifold, if asked for and defined, in the world. Raises Error for a number that no pair has.")
       .def("__repr__",
            [](const HeldPairs& pairs) { return fmt::format("<toccata.WorldPairs: {}>", pairs.reports.size()); });
+  bind_answer_value(
+      bound, [](const HeldPairs& pairs) { return state_of_pairs(pairs); }, &pairs_of_state);
 }
 
 /// What a step found, kept as it was.
@@ -262,14 +302,28 @@ struct HeldStep {
   std::size_t candidates = 0, asked = 0;
 };
 
-HeldStep step_of(World& world) {
-  const WorldStep& step = world.step();
-  return {{step.begin}, {step.persist}, {step.end}, step.candidates, step.asked};
+HeldStep step_of(const HeldWorld& held) {
+  return Interruptible(own_thread).ask([&](const BatchOptions& options) {
+    return held.alone([&](World& world) -> HeldStep {
+      const WorldStep& step = world.step(options.progress);
+      return {{step.begin}, {step.persist}, {step.end}, step.candidates, step.asked};
+    });
+  });
+}
+
+nb::tuple state_of_step(const HeldStep& step) {
+  return nb::make_tuple(step.begin, step.persist, step.end, step.candidates, step.asked);
+}
+
+HeldStep step_of_state(const nb::tuple& state) {
+  if (state.size() != 5) throw Error("a pickled WorldStep of another version");
+  const auto pairs = [&](std::size_t i) { return nb::cast<const HeldPairs&>(state[i]); };
+  return {pairs(0), pairs(1), pairs(2), nb::cast<std::size_t>(state[3]), nb::cast<std::size_t>(state[4])};
 }
 
 void bind_step(nb::module_& module) {
-  nb::class_<HeldStep>(module, "WorldStep", "What a step of a World found; it stays as it is.")
-      .def_ro("begin", &HeldStep::begin, "Pairs that were not there at the step before.")
+  nb::class_<HeldStep> bound(module, "WorldStep", "What a step of a World found; it stays as it is.");
+  bound.def_ro("begin", &HeldStep::begin, "Pairs that were not there at the step before.")
       .def_ro("persist", &HeldStep::persist, "Pairs that were there at both, told as they are now.")
       .def_ro("end", &HeldStep::end, "Pairs that were there at the step before only, told as they were then.")
       .def_ro("candidates", &HeldStep::candidates, "How many pairs had to be decided.")
@@ -278,6 +332,8 @@ void bind_step(nb::module_& module) {
         return fmt::format("<toccata.WorldStep: {} begin, {} persist, {} end>", step.begin.reports.size(),
                            step.persist.reports.size(), step.end.reports.size());
       });
+  bind_answer_value(
+      bound, [](const HeldStep& step) { return state_of_step(step); }, &step_of_state);
 }
 
 Body body_of(const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
@@ -293,7 +349,19 @@ Body body_of(const AnyShape& shape, const PoseLike& pose, BodyType type, Solid s
   return body;
 }
 
-void bind_body(nb::module_& module) {
+Making making_of_body(const Body& body) {
+  nb::dict named;
+  named["type"] = body.type;
+  named["solid"] = body.solid;
+  named["group"] = body.group;
+  named["mask"] = body.mask;
+  named["margin"] = body.margin;
+  named["user_data"] = body.user_data;
+  named["name"] = body.name;
+  return {nb::make_tuple(shape_object(body.model), body.pose), named};
+}
+
+void bind_body_id(nb::module_& module) {
   nb::enum_<BodyType>(module, "BodyType", "Which pairs of bodies are of interest.")
       .value("static_body", BodyType::static_body, "Part of the surroundings: two such never make a pair.")
       .value("kinematic_body", BodyType::kinematic_body, "Goes where its owner says, whatever it meets.")
@@ -302,11 +370,15 @@ void bind_body(nb::module_& module) {
   nb::object hash = nb::cpp_function([](const BodyId& id) { return std::hash<BodyId>()(id); }, nb::is_method(),
                                      nb::name("__hash__"), nb::sig("def __hash__(self) -> int"));
   nb::type<BodyId>().attr("__hash__") = hash;
-  nb::class_<Body>(module, "Body", R"(A shape at its place in a World, and what is to be told of it.
+}
+
+void bind_body(nb::module_& module) {
+  nb::class_<Body> bound(module, "Body", R"(A shape at its place in a World, and what is to be told of it.
 
 Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
 sum of their margins apart: lengths in the unit of the coordinates. The pose is in the world. Raises Error for what is no
-pose; the rest is looked at by World.add.)")
+pose; the rest is looked at by World.add.)");
+  bound
       .def(
           "__init__",
           [](Body* place, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
@@ -330,8 +402,23 @@ pose; the rest is looked at by World.add.)")
         return fmt::format("<toccata.Body: {}{}{}>", name_of(body.model.shape()), body.name.empty() ? "" : " ",
                            body.name);
       });
-  nb::class_<AskedBodies>(module, "BodyFilter",
-                          "Which bodies of a World are asked. Raises Error for what is no BodyId.")
+  bind_value(bound, &making_of_body);
+}
+
+Making making_of_filter(const AskedBodies& asked) {
+  nb::dict named;
+  named["mask"] = asked.mask;
+  named["group"] = asked.group;
+  nb::list except;
+  for (const BodyId id : asked.except) except.append(id);
+  named["except_bodies"] = except;
+  return {nb::tuple(), named};
+}
+
+void bind_filter(nb::module_& module) {
+  nb::class_<AskedBodies> bound(module, "BodyFilter",
+                                "Which bodies of a World are asked. Raises Error for what is no BodyId.");
+  bound
       .def(
           "__init__",
           [](AskedBodies* place, std::uint64_t mask, std::uint64_t group, const nb::object& except) {
@@ -344,7 +431,12 @@ pose; the rest is looked at by World.add.)")
                   "toccata._typing.BodiesLike | None = None) -> None"),
           "Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask "
           "has "
-          "it; and none of except_bodies.");
+          "it; and none of except_bodies.")
+      .def("__repr__", [](const AskedBodies& asked) {
+        return fmt::format("<toccata.BodyFilter: mask {:#x}, group {:#x}, without {} bodies>", asked.mask, asked.group,
+                           asked.except.size());
+      });
+  bind_value(bound, &making_of_filter);
 }
 
 /// As many as bodies.
@@ -484,9 +576,10 @@ nb::object pair_told(const std::optional<BodyPair>& pair) {
 
 void bind_pair_questions_of_world(BoundWorld& bound) {
   bound
-      .def(
-          "step", [](const HeldWorld& held) { return held.with(&step_of); },
-          "Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.")
+      .def("step", &step_of,
+           "Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock. "
+           "Ctrl-C "
+           "ends it between two pairs, and the World is then as if it had not begun.")
       .def_prop_ro(
           "pairs",
           [](const HeldWorld& held) {
@@ -590,27 +683,22 @@ void bind_listing(BoundWorld& bound) {
           "numbers are NaN.");
 }
 
-void bind_copying(BoundWorld& bound) {
-  bound
-      .def(
-          "__copy__",
-          [](const HeldWorld& held) { return HeldWorld(held.with([](const World& world) { return World(world); })); },
-          "A snapshot: the same bodies, ids and pairs.")
-      .def(
-          "__deepcopy__",
-          [](const HeldWorld& held, const nb::dict&) {
-            return HeldWorld(held.with([](const World& world) { return World(world); }));
-          },
-          nb::sig("def __deepcopy__(self, memo: dict[int, object]) -> World"))
-      .def("__repr__", [](const HeldWorld& held) {
-        return fmt::format("<toccata.World of {} bodies>", held.with([](const World& w) { return w.size(); }));
-      });
+void bind_manners(BoundWorld& bound) {
+  bind_copying(bound);
+  bound.def("__repr__", [](const HeldWorld& held) {
+    return fmt::format("<toccata.World of {} bodies>", held.with([](const World& w) { return w.size(); }));
+  });
+  bind_refusal(bound,
+               "copy.copy makes a snapshot in this process; for another one pickle its bodies, [world[id] for id in "
+               "world.bodies], and add them to a new World, which gives them other ids");
 }
 
 }  // namespace
 
 void bind_worlds(nb::module_& module) {
+  bind_body_id(module);
   bind_body(module);
+  bind_filter(module);
   bind_pairs(module);
   bind_step(module);
   bind_object_answers<WorldBodies>(module);
@@ -639,7 +727,7 @@ may be used from many threads, one after the other. Raises Error for a broad pha
   bind_rules(bound);
   bind_pair_questions_of_world(bound);
   bind_listing(bound);
-  bind_copying(bound);
+  bind_manners(bound);
   ObjectQuestions<WorldBodies, HeldWorld>(bound).bind();
   CharacterQuestions<WorldBodies, HeldWorld>(module, bound, "Body").bind();
 }

@@ -1,6 +1,8 @@
 """Nothing that is handed over wrongly ends the interpreter: it is a toccata.Error, or a TypeError."""
 
+import copy
 import gc
+import pickle
 import weakref
 
 import numpy
@@ -254,6 +256,11 @@ def test_shapes_that_were_never_made():
                 ask()
             except (TypeError, toccata.Error):
                 pass
+    for kind in (toccata.Sphere, toccata.Mesh, toccata.Pose, toccata.RigidMotion, toccata.Body, toccata.Robot, toccata.RobotScene, toccata.World):
+        empty = kind.__new__(kind)
+        for ask in (copy.copy, copy.deepcopy, pickle.dumps):
+            with pytest.raises(TypeError):
+                ask(empty)
 
 
 def test_owners_may_go_first():

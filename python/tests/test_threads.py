@@ -167,11 +167,57 @@ except KeyboardInterrupt:
     ("ways = [toccata.RigidMotion(None, translation=(9, 0, 0), turns=2)] * 2_000", "toccata.sweep_each(knot, ways, knot, (4.5, 0, 0), threads=1)"),
     ("poses = numpy.tile(numpy.eye(4), (2_000_000, 1, 1)); poses[:, 0, 3] = numpy.linspace(2.5, 3, 2_000_000)",
      "toccata.relation_each(toccata.Ellipsoid((1, 2, 3)), toccata.Cylinder(1, 1), poses_b=poses, threads=1)"),
-], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each", "plain_shapes"])
+    ("world = toccata.World(contacts=True, penetration=True); world.add_each(knot, [(0.01 * i, 0, 0) for i in range(60)])", "world.step()"),
+    ("low = numpy.random.default_rng(1).uniform(0, 1, (40_000, 3)); boxes = numpy.stack([low, low + 0.25], axis=1)",
+     "toccata.overlapping_pairs(boxes, threads=1)"),
+    ("low = numpy.random.default_rng(1).uniform(0, 1, (40_000, 3)); boxes = numpy.stack([low, low + 0.25], axis=1)", "toccata.overlapping_pairs(boxes)"),
+    ("starts = numpy.random.default_rng(1).normal(size=(400_000, 4, 3))", "toccata.edge_edge_impacts(starts, -starts, threads=1)"),
+], ids=["link_poses_each", "allowed_pairs", "free_steps", "sweep_each", "plain_shapes", "step", "overlapping_pairs", "overlapping_pairs_on_threads",
+        "impacts"])
 def test_ctrl_c_ends_what_takes_long(given, asked):
     program = INTERRUPTED_WITHIN.replace("GIVEN", given).replace("ASKED", asked)
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
     assert run.stdout.split() == ["interrupted"], run.stdout + run.stderr
+
+
+AFTER_CTRL_C = """
+import signal, toccata
+knot = toccata.generate_mesh("torus-knot")
+places = [(0.01 * i, 0, 0) for i in range(8)]
+def world():
+    made = toccata.World(contacts=True)
+    made.add_each(knot, places)
+    return made
+ended, undisturbed = world(), world()
+def stop(*_):
+    raise KeyboardInterrupt
+signal.signal(signal.SIGALRM, stop)
+signal.setitimer(signal.ITIMER_REAL, 0.1)
+try:
+    ended.step()
+except KeyboardInterrupt:
+    print("interrupted", len(ended.pairs))
+print((ended.step().begin.pairs["in_contact"] == undisturbed.step().begin.pairs["in_contact"]).all(), len(ended.pairs))
+def use(*_):
+    try:
+        len(ended)
+    except toccata.Error as error:
+        raise RuntimeError(str(error))
+signal.signal(signal.SIGALRM, use)
+ended.move(ended.bodies, places[::-1])
+signal.setitimer(signal.ITIMER_REAL, 0.1)
+try:
+    ended.step()
+except RuntimeError as error:
+    print(error)
+"""
+
+
+def test_a_world_whose_step_was_ended_goes_on():
+    """And what a signal calls within a step gets an error where it uses the World, and does not wait for itself."""
+    run = subprocess.run([sys.executable, "-c", AFTER_CTRL_C], capture_output=True, text=True, timeout=120)
+    first, second, third = run.stdout.splitlines()
+    assert (first, second) == ("interrupted 0", "True 28") and "it is being asked" in third, run.stdout + run.stderr
 
 
 def child(results: multiprocessing.Queue) -> None:

@@ -118,9 +118,7 @@ class Pose:
     def __array__(self, dtype: object | None = None, copy: object | None = None) -> toccata._typing.Floats:
         """What numpy.asarray makes of it: the matrix."""
 
-    def __getstate__(self) -> tuple[builtins.object, ...]: ...
-
-    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class Solid(enum.Enum):
     """What a mesh is taken for."""
@@ -209,6 +207,8 @@ class MeshHealth:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class Shape:
@@ -233,11 +233,13 @@ class Shape:
     def solid(self) -> bool:
         """It has an interior, and is no mere surface."""
 
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    def __repr__(self) -> str: ...
+
     def __copy__(self) -> Shape: ...
 
     def __deepcopy__(self, memo: dict[int, object]) -> Shape: ...
-
-    def __eq__(self, other: builtins.object, /) -> bool: ...
 
 class Point(Shape):
     """
@@ -286,9 +288,9 @@ class Triangle(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class Sphere(Shape):
     """
@@ -425,7 +427,7 @@ class Ellipsoid(Shape):
 
 class ConvexHull(Shape):
     """
-    The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. Raises Error when there is no point, or one is not finite.
+    The convex hull of points of the shape (N, 3), in its own frame and any unit; exact (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The quickhull algorithm for convex hulls", 1996). It may be flat, and is a surface then. It is made in one go: Ctrl-C is taken when it is done. Raises Error when there is no point, or one is not finite.
     """
 
     def __init__(self, points: numpy.typing.ArrayLike) -> None: ...
@@ -442,9 +444,9 @@ class ConvexHull(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class Rounded(Shape):
     """
@@ -462,9 +464,9 @@ class Rounded(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class HeightField(Shape):
     """
@@ -482,9 +484,9 @@ class HeightField(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class Mesh(Shape):
     """
@@ -552,9 +554,9 @@ class Mesh(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 def load_mesh(path: str | os.PathLike[str]) -> Mesh:
     """
@@ -579,9 +581,9 @@ class Compound(Shape):
 
     def __repr__(self) -> str: ...
 
-    def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class RelationKind(enum.IntEnum):
     """How two shapes lie."""
@@ -656,6 +658,8 @@ class Distance:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class Penetration:
@@ -695,6 +699,8 @@ class Penetration:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class Relation:
@@ -733,6 +739,8 @@ class Relation:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -788,6 +796,8 @@ class ShapeHit:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -930,6 +940,8 @@ class RayHit:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
     def __bool__(self) -> bool: ...
@@ -974,6 +986,8 @@ class SurfacePoint:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -1064,7 +1078,23 @@ class SignedDistance:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
+
+def signed_distance(point: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic) -> SignedDistance:
+    """
+    How far a point, shape (3,) in the world, is from the surface of a posed shape, negative inside.
+
+    The side is exact of closed meshes and of shapes that are none; of an open mesh it is that of the generalised winding
+    number (A. Jacobson and others, 2013). In the unit of the coordinates. Raises Error when a number is not finite, or an open
+    mesh is asked by SignBy.winding_number.
+    """
+
+def signed_distance_each(points: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic, *, threads: int = 0) -> toccata._typing.Answers:
+    """
+    signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance, in the unit of the coordinates. Raises Error like signed_distance, naming the point.
+    """
 
 class WindingNumber:
     """
@@ -1095,21 +1125,9 @@ class WindingNumber:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
-
-def signed_distance(point: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic) -> SignedDistance:
-    """
-    How far a point, shape (3,) in the world, is from the surface of a posed shape, negative inside.
-
-    The side is exact of closed meshes and of shapes that are none; of an open mesh it is that of the generalised winding
-    number (A. Jacobson and others, 2013). In the unit of the coordinates. Raises Error when a number is not finite, or an open
-    mesh is asked by SignBy.winding_number.
-    """
-
-def signed_distance_each(points: numpy.typing.ArrayLike, shape: Shape, pose: toccata._typing.PoseLike | None = None, sign_by: SignBy = SignBy.automatic, *, threads: int = 0) -> toccata._typing.Answers:
-    """
-    signed_distance of many points, shape (N, 3), on all cores: a structured array with the members of SignedDistance, in the unit of the coordinates. Raises Error like signed_distance, naming the point.
-    """
 
 def locate(point: numpy.typing.ArrayLike, solid: Shape, pose: toccata._typing.PoseLike | None = None) -> tuple[Side, int]:
     """
@@ -1234,6 +1252,8 @@ class Manifold:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def manifold(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Manifold:
@@ -1276,6 +1296,12 @@ class MoverOptions:
 
     def __repr__(self) -> str: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 def velocity_along(velocity: numpy.typing.ArrayLike, normals: numpy.typing.ArrayLike) -> toccata._typing.Floats:
     """
     The vector nearest to `velocity`, shape (3,), in its unit and frame, that goes into none of the planes with these normals, shape (N, 3), of length 1: so a velocity loses what goes into the contacts of a step of a character. Raises Error for a number that is not finite.
@@ -1308,9 +1334,9 @@ class SceneInstance:
 
     def __repr__(self) -> str: ...
 
-    def __eq__(self, other: builtins.object, /) -> bool: ...
-
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -1362,6 +1388,8 @@ class SceneRayHit:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -1422,6 +1450,8 @@ class SceneShapeHit:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class SceneDistance:
@@ -1476,6 +1506,8 @@ class SceneDistance:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -1586,6 +1618,16 @@ class SceneMoverContact:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 class SceneMoverState:
     """
     Where a character is: all that is known of it from one step to the next. Its pose is in the world. Raises Error for what is no pose.
@@ -1602,6 +1644,12 @@ class SceneMoverState:
         """What it stands on; None: it is in the air."""
 
     def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class SceneMoverStep:
     """What came of a step of a character."""
@@ -1655,6 +1703,16 @@ class SceneMoverStep:
         """It may not have gone as far as it can; the contacts tell why."""
 
     def __repr__(self) -> str: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class ClashKind(enum.IntEnum):
     """What a clash is in the field's words."""
@@ -1767,6 +1825,16 @@ class CheckAnswer:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 def check_all(objects: toccata._typing.ObjectsLike, *, contacts: bool = False, penetration: bool = False, clearance: float | None = None, pair_clearances: Sequence[tuple[int, int, float]] | None = None, precision: float = 0.1, volume: bool = False, tolerance: float | None = None, threads: int = 0) -> CheckAnswer:
     """
     Every two of many posed shapes that are not apart, or nearer than the clearance, and how they lie.
@@ -1826,6 +1894,8 @@ class Contact:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class DepthBracket:
@@ -1869,6 +1939,8 @@ class DepthBracket:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def depth_bracket(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, precision: float = 0.02, time_limit: float = float('inf'), solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> DepthBracket:
@@ -1910,6 +1982,8 @@ class OverlapVolume:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def overlap_volume(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> OverlapVolume:
@@ -1932,11 +2006,15 @@ class ModelManifold(Manifold):
     def elements_b(self) -> toccata._typing.Indices:
         """Of B."""
 
+    def __repr__(self) -> str: ...
+
     def __eq__(self, other: builtins.object, /) -> bool: ...
 
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 def manifolds(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> list[ModelManifold]:
     """
@@ -2041,6 +2119,16 @@ class MeshFault:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 def mesh_faults(mesh: Shape) -> list[MeshFault]:
     """
     Where the faults are that Mesh.health counts: by kind, then the larger first. Their counts add up to what it says. Raises Error for what is no Mesh.
@@ -2076,6 +2164,8 @@ class MeshRepair:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def close_mesh(mesh: Mesh, gap: float) -> tuple[Mesh, MeshRepair]:
@@ -2095,7 +2185,7 @@ def mesh_parts(mesh: Shape) -> toccata._typing.Indices:
 
 def hull_of_half_spaces(half_spaces: Sequence[HalfSpace]) -> ConvexHull:
     """
-    The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, in the unit of the coordinates. Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no end.
+    The solid that half-spaces have in common: its vertices are found exactly, and rounded to the nearest doubles, in the unit of the coordinates. It is found in one go: Ctrl-C is taken when it is. Raises Error when they have no point in common, naming at most four that have none, and when it is flat or has no end.
     """
 
 def view_frustum(eye: numpy.typing.ArrayLike, direction: numpy.typing.ArrayLike, up: numpy.typing.ArrayLike = (0.0, 1.0, 0.0), *, field_of_view: float = 60.0, aspect: float = 1.0, nearest: float = 0.1, farthest: float = 1000.0) -> ConvexHull:
@@ -2114,13 +2204,15 @@ class RigidMotion:
 
     At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
     counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-    rests. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
-    finite.
+    rests. RigidMotion(pieces=…) is made of what `pieces` tells, which go on from each other from 0 to 1. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+    finite, and for pieces that do not.
     """
 
+    @overload
     def __init__(self, start: toccata._typing.PoseLike | None = None, translation: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), turns: float = 0.0, axis: numpy.typing.ArrayLike = (0.0, 0.0, 1.0), centre: numpy.typing.ArrayLike = (0.0, 0.0, 0.0)) -> None: ...
 
-    def __copy__(self) -> RigidMotion: ...
+    @overload
+    def __init__(self, *, pieces: Sequence[tuple[float, float, toccata._typing.PoseLike | None, tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike, float, numpy.typing.ArrayLike]]]) -> None: ...
 
     @staticmethod
     def straight(start: toccata._typing.PoseLike | None, translation: numpy.typing.ArrayLike) -> RigidMotion:
@@ -2167,6 +2259,16 @@ class RigidMotion:
         """(begin, end, start, (centre, axis, turns, translation)) of each piece."""
 
     def __repr__(self) -> str: ...
+
+    def __copy__(self) -> RigidMotion: ...
+
+    def __deepcopy__(self, memo: dict[int, object]) -> RigidMotion: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
 
 def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
     """
@@ -2247,6 +2349,8 @@ class MeshImpact:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class DeformingMesh:
@@ -2313,6 +2417,8 @@ class DeformingMesh:
         For each vertex a fraction of its own way: however fast each goes, and wherever up to that it stops, nothing meets. Shapes (N,), of this mesh and of the other, or None.
         """
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
 class BodyType(enum.Enum):
     """Which pairs of bodies are of interest."""
 
@@ -2349,6 +2455,8 @@ class BodyId:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     def __hash__(self) -> int: ...
 
@@ -2392,6 +2500,12 @@ class Body:
 
     def __repr__(self) -> str: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 class BodyFilter:
     """Which bodies of a World are asked. Raises Error for what is no BodyId."""
 
@@ -2399,6 +2513,14 @@ class BodyFilter:
         """
         Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask has it; and none of except_bodies.
         """
+
+    def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class WorldPairs:
     """
@@ -2442,6 +2564,16 @@ class WorldPairs:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 class WorldStep:
     """What a step of a World found; it stays as it is."""
 
@@ -2466,6 +2598,16 @@ class WorldStep:
         """How many of them could not be taken over from the step before."""
 
     def __repr__(self) -> str: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class BodyRayHit:
     """
@@ -2515,6 +2657,8 @@ class BodyRayHit:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -2575,6 +2719,8 @@ class BodyShapeHit:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class BodyDistance:
@@ -2629,6 +2775,8 @@ class BodyDistance:
     def __getstate__(self) -> tuple[builtins.object, ...]: ...
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -2696,7 +2844,7 @@ class World:
 
     def step(self) -> WorldStep:
         """
-        Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock.
+        Finds the pairs of the bodies as they are now: which begin, persist and end. Exact, without the lock. Ctrl-C ends it between two pairs, and the World is then as if it had not begun.
         """
 
     @property
@@ -2746,12 +2894,13 @@ class World:
         By index, where the bodies are in the world, shape (N, 4, 4): a new array. Where no body has that index, all numbers are NaN.
         """
 
-    def __copy__(self) -> World:
-        """A snapshot: the same bodies, ids and pairs."""
+    def __copy__(self) -> World: ...
 
     def __deepcopy__(self, memo: dict[int, object]) -> World: ...
 
     def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
     def cast_ray(self, origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, *, only: object | None = None) -> BodyRayHit | None:
         """
@@ -2839,6 +2988,16 @@ class BodyMoverContact:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 class BodyMoverState:
     """
     Where a character is: all that is known of it from one step to the next. Its pose is in the world. Raises Error for what is no pose.
@@ -2855,6 +3014,12 @@ class BodyMoverState:
         """What it stands on; None: it is in the air."""
 
     def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class BodyMoverStep:
     """What came of a step of a character."""
@@ -2909,6 +3074,16 @@ class BodyMoverStep:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 def overlapping_pairs(boxes: numpy.typing.ArrayLike, *, method: str = 'auto', threads: int = 0) -> toccata._typing.Indices:
     """
     Which of many boxes overlap, touching included: shape (N, 2, 3), of each the least corner and the greatest. Pairs of indices, shape (K, 2), ascending. In the world and any unit. All methods ('auto', 'brute-force', 'sort-and-sweep' …) find the same. Raises Error naming a box of which a side is no number.
@@ -2940,7 +3115,9 @@ class BroadPhase:
         """
 
     def update(self) -> toccata._typing.Indices:
-        """The pairs of the boxes as they are now, shape (K, 2), ascending."""
+        """
+        The pairs of the boxes as they are now, shape (K, 2), ascending. Ctrl-C is taken when they are found.
+        """
 
     def changes(self) -> tuple[toccata._typing.Indices, toccata._typing.Indices]:
         """
@@ -2952,6 +3129,10 @@ class BroadPhase:
         """That of the last update, never 'auto'."""
 
     def __len__(self) -> int: ...
+
+    def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 class ConvexPart:
     """A convex part of a mesh."""
@@ -2976,6 +3157,18 @@ class ConvexPart:
         """
         Of the mesh, ascending: those that the part has more than the border of.
         """
+
+    def __repr__(self) -> str: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class ConvexParts:
     """Convex parts whose union contains a solid."""
@@ -3008,6 +3201,16 @@ class ConvexParts:
         """
 
     def __repr__(self) -> str: ...
+
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def decompose(mesh: Shape, *, max_parts: int = 32, concavity: float = 0.0, threads: int = 1) -> ConvexParts:
     """
@@ -3081,9 +3284,9 @@ class RobotJoint:
 
     def __repr__(self) -> str: ...
 
-    def __eq__(self, other: builtins.object, /) -> bool: ...
-
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
@@ -3107,17 +3310,28 @@ class RobotPosition:
 
     def __repr__(self) -> str: ...
 
+    def __getstate__(self) -> tuple[builtins.object, ...]: ...
+
+    def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
 class Robot:
     """
     A tree of links and joints. Immutable.
 
     Robot(links, joints): links are names with the shapes of each, as SceneInstance takes them, in the link's frame; base is
-    where the root link is in the world. Configurations are arrays of a number for each of `positions`, in radians where it
+    where the root link is in the world. attached: what it holds, (name, shapes, link, pose, touch_links) of each, as with_attached
+    takes them. Configurations are arrays of a number for each of `positions`, in radians where it
     turns and in the unit of the lengths where it slides (URDF: metres). Raises Error naming the link or joint: no tree, two of
     one name, an axis or a number that is not finite, limits the wrong way round.
     """
 
-    def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = None) -> None: ...
+    def __init__(self, links: dict[str, toccata._typing.ObjectsLike], joints: Sequence[RobotJoint] = (), name: str = '', base: toccata._typing.PoseLike | None = None, attached: Sequence[tuple[str, toccata._typing.ObjectsLike, str, toccata._typing.PoseLike | None, Sequence[str]]] = ()) -> None: ...
 
     @staticmethod
     def from_urdf(path: str | os.PathLike[str], packages: Sequence[str | os.PathLike[str]] = ()) -> Robot:
@@ -3146,6 +3360,10 @@ class Robot:
     def __deepcopy__(self, memo: dict[int, object]) -> Robot: ...
 
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
+    def __eq__(self, other: builtins.object, /) -> bool: ...
+
+    def __hash__(self) -> int: ...
 
     @property
     def name(self) -> str:
@@ -3249,6 +3467,8 @@ class RobotContact:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class RobotDistance:
@@ -3326,6 +3546,8 @@ class RobotDistance:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class RobotEdge:
@@ -3371,6 +3593,8 @@ class RobotEdge:
 
     def __setstate__(self, arg: tuple[builtins.object, ...], /) -> None: ...
 
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
+
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class RobotScene:
@@ -3403,14 +3627,13 @@ class RobotScene:
         Whether these two, told by their numbers, are looked at: two links in either order, or a link and an obstacle. Raises Error for a number that there is not.
         """
 
-    def __copy__(self) -> RobotScene:
-        """It does not change: all is shared."""
+    def __repr__(self) -> str: ...
+
+    def __copy__(self) -> RobotScene: ...
 
     def __deepcopy__(self, memo: dict[int, object]) -> RobotScene: ...
 
     def __reduce__(self) -> tuple[builtins.object, ...]: ...
-
-    def __repr__(self) -> str: ...
 
     def meets(self, configuration: numpy.typing.ArrayLike) -> bool:
         """
@@ -3496,6 +3719,8 @@ class DistanceCache:
         """Of them, those that were searched as without a cache."""
 
     def __repr__(self) -> str: ...
+
+    def __reduce__(self) -> tuple[builtins.object, ...]: ...
 
 def view_page(objects: toccata._typing.ObjectsLike, *, title: str = 'Toccata', up: str = 'z', faces: bool = True, penetration: bool = True, clearance: float | None = None, threads: int = 0) -> str:
     """

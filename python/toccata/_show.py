@@ -27,6 +27,11 @@ class Page:
         inside = html.escape(self.html, quote=True)
         return f'<iframe srcdoc="{inside}" style="width: 100%; height: {self.height}px; border: 0"></iframe>'
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Page) and (self.html, self.height) == (other.html, other.height)
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __repr__(self) -> str:
         return f"<toccata.Page of {len(self.html)} characters>"
 

@@ -97,6 +97,23 @@ RigidMotion RigidMotion::through(std::span<const MotionKey> keys, const Vec3& ce
   return motion;
 }
 
+RigidMotion RigidMotion::of_pieces(std::vector<Piece> pieces) {
+  double time = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
+    require_finite(piece.start, who);
+    require_finite(piece.move);
+    if (piece.begin != time || !(piece.begin < piece.end))
+      throw Error(fmt::format("a motion of pieces: piece {} is from {} to {}; it has to begin at {} and to end later",
+                              i, piece.begin, piece.end, time));
+    time = piece.end;
+  }
+  if (time != 1) throw Error(fmt::format("a motion of pieces: the last piece ends at {}; it has to end at 1", time));
+  RigidMotion motion;
+  motion.pieces_ = std::move(pieces);
+  return motion;
+}
+
 RigidMotion RigidMotion::of(std::function<Pose(double)> pose_at, const MotionSpeed& bound) {
   if (!pose_at) throw Error("a motion told by a function: there is no function");
   const auto is_bound = [](double number) { return number >= 0 && std::isfinite(number); };

@@ -33,10 +33,13 @@ std::vector<AllowedPair> read_srdf(const std::string& path, const Robot&) { thro
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <locale>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -139,6 +142,16 @@ class RobotXml {
     return found;
   }
 
+  /// Calls `visit(element, owner)` for each element below a link or a joint, in order; the owner is "joint 'turn'".
+  template <class Visit>
+  void visit_parts(const Visit& visit) const {
+    for (const TiXmlElement* e = robot().FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      const char* name = e->Attribute("name");
+      if (name != nullptr && (e->ValueStr() == "link" || e->ValueStr() == "joint"))
+        visit_below(*e, fmt::format("{} '{}'", e->ValueStr(), name), visit);
+    }
+  }
+
   [[nodiscard]] Error error_at(const TiXmlElement& element, std::string_view what) const {
     return Error(fmt::format("{}:{}: {}", path_, element.Row(), what));
   }
@@ -169,7 +182,27 @@ class RobotXml {
     return nullptr;
   }
 
+  /// Where an attribute is that a text tells, as "multiplier value (fast)", without saying of what: an error with its
+  /// line; none where it is nowhere.
+  [[nodiscard]] std::optional<Error> error_of_attribute_in(std::string_view what) const {
+    std::optional<Error> found;
+    visit_parts([&](const TiXmlElement& element, const std::string& owner) {
+      for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr && !found; a = a->Next())
+        if (what.find(fmt::format("{} value ({})", a->Name(), a->ValueStr())) != std::string_view::npos)
+          found = error_at(element, fmt::format("{}: <{}>: {}", owner, element.ValueStr(), what));
+    });
+    return found;
+  }
+
  private:
+  template <class Visit>
+  static void visit_below(const TiXmlElement& parent, const std::string& owner, const Visit& visit) {
+    for (const TiXmlElement* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+      visit(*e, owner);
+      visit_below(*e, owner, visit);
+    }
+  }
+
   /// The first element that xacro, a tool of ROS, has to expand; null where there is none.
   [[nodiscard]] static const TiXmlElement* first_macro(const TiXmlElement& parent) {
     for (const TiXmlElement* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
@@ -292,6 +325,7 @@ Error error_of(const RobotXml& xml, const UrdfdomComplaints& complaints) {
   for (const std::string& complaint : complaints.all())
     if (const TiXmlElement* element = xml.named_in(complaint))
       return xml.error_at(*element, complaint == first ? first : fmt::format("{}: {}", complaint, first));
+  if (const std::optional<Error> error = xml.error_of_attribute_in(first)) return *error;
   return xml.error_about(first);
 }
 
@@ -408,6 +442,65 @@ void add_numbers(const urdf::Joint& from, RobotJoint& joint) {
   if (from.mimic) joint.mimic = JointMimic{from.mimic->joint_name, from.mimic->multiplier, from.mimic->offset};
 }
 
+/// Whether this urdfdom reads the rotation of an origin from the attribute quat_xyzw, as later ones do.
+bool reads_quaternions() {
+  const UrdfdomComplaints complaints;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(
+      "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"fixed\"><parent link=\"a\"/>"
+      "<child link=\"b\"/><origin quat_xyzw=\"1 0 0 0\"/></joint></robot>");
+  return model && model->getJoint("j")->parent_to_joint_origin_transform.rotation.x != 0;
+}
+
+/// What of an element is read, or says nothing about shapes and places; empty: nothing is known of it.
+std::vector<std::string> attributes_of(std::string_view element) {
+  if (element == "origin") return {"xyz", "rpy"};
+  if (element == "axis") return {"xyz"};
+  if (element == "limit") return {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"};
+  if (element == "mimic") return {"joint", "multiplier", "offset"};
+  if (element == "box") return {"size"};
+  if (element == "sphere") return {"radius"};
+  if (element == "cylinder") return {"radius", "length"};
+  if (element == "mesh") return {"filename", "scale"};
+  return {};
+}
+
+/// Attributes that nobody reads, which the writer may have meant: of each kind the first is told.
+void warn_of_attributes(const RobotXml& xml, std::vector<std::string>& warnings) {
+  std::set<std::pair<std::string, std::string> > told;
+  xml.visit_parts([&](const TiXmlElement& element, const std::string& owner) {
+    const std::vector<std::string> known = attributes_of(element.ValueStr());
+    for (const TiXmlAttribute* a = element.FirstAttribute(); a != nullptr && !known.empty(); a = a->Next()) {
+      const std::string name = a->Name();
+      if (std::ranges::find(known, name) != known.end() || name.find(':') != std::string::npos) continue;
+      const bool is_quaternion = name == "quat_xyzw";
+      if ((is_quaternion && reads_quaternions()) || !told.emplace(element.ValueStr(), name).second) continue;
+      warnings.push_back(fmt::format(
+          "line {}: {}: the attribute {} of <{}> is not read{}", element.Row(), owner, name, element.ValueStr(),
+          is_quaternion ? "; write the rotation as rpy=\"roll pitch yaw\", in radians" : suggestion(name, known)));
+    }
+  });
+}
+
+/// Angles of more than a whole turn are most likely degrees: the first is told.
+void warn_of_degrees(const RobotXml& xml, std::vector<std::string>& warnings) {
+  constexpr double whole_turn = 6.2831853071795865;
+  bool is_told = false;
+  xml.visit_parts([&](const TiXmlElement& element, const std::string& owner) {
+    const char* angles = element.ValueStr() == "origin" ? element.Attribute("rpy") : nullptr;
+    if (angles == nullptr || is_told) return;
+    std::istringstream numbers(angles);
+    numbers.imbue(std::locale::classic());
+    for (double angle = 0; numbers >> angle && !is_told;) {
+      if (!(std::fabs(angle) > whole_turn * (1 + 0x1p-20))) continue;
+      is_told = true;
+      warnings.push_back(
+          fmt::format("line {}: {}: rpy=\"{}\" turns by more than a whole turn; URDF has radians, so if "
+                      "these are degrees, write {:.6g} for {:.6g}",
+                      element.Row(), owner, angles, angle * whole_turn / 360, angle));
+    }
+  });
+}
+
 /// How far it reaches at most tells whether lengths are metres.
 void warn_of_reach(const RobotDescription& robot, std::vector<std::string>& warnings) {
   constexpr double far = 100;
@@ -491,6 +584,8 @@ RobotFile read_urdf(const std::string& path, const UrdfOptions& options) {
   for (RobotLink& link : without_shapes.links) link.shapes.clear();
   require_tree(xml, without_shapes);
   warn_of_reach(file.description, file.warnings);
+  warn_of_degrees(xml, file.warnings);
+  warn_of_attributes(xml, file.warnings);
   return file;
 }
 

@@ -12,6 +12,7 @@
 #include "query/ask_each.hpp"
 #include "query/manifolds/model_manifolds.hpp"
 #include "query/penetration/solid_penetration.hpp"
+#include "query/scenes/task_reporter.hpp"
 #include "toccata/core/parallel.hpp"
 #include "toccata/motion/rigid_motion.hpp"
 #include "toccata/narrow/box_box.hpp"
@@ -182,10 +183,12 @@ Manifold plain(std::span<const ModelManifold> manifolds) {
 }  // namespace
 
 void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, UndecidedPairs& undecided,
-                         std::span<DecidedPair> pairs) {
+                         std::span<DecidedPair> pairs, const Progress& progress) {
   const std::span<const UndecidedPair> all = undecided.pairs;
   const Chunks rows{all.size(), row_length(all.size(), options_.threads)};
+  TaskReporter reporter(progress, all.size());
   parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
+    if (reporter.cancelled()) return;
     workspaces_.with([&](Workspace& workspace) {
       const std::span<const UndecidedPair> some = rows.of(all, row);
       WantedLasting none;
@@ -195,6 +198,8 @@ void NarrowPhase::decide(std::span<const Body> bodies, const BodiesOnTheWay& on_
         WantedLasting& lasting = undecided.lasting.empty() ? none : rows.of(std::span(undecided.lasting), row)[i];
         decide(bodies[pair.pair.first], bodies[pair.pair.second], some[i].margin, lasting, pair, workspace);
         if (!on_the_way.empty()) add_first_contact(bodies, on_the_way, pair, workspace);
+        reporter.finished_one();
+        if (reporter.cancelled()) return;
       }
     });
   });

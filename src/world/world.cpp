@@ -33,10 +33,13 @@ Refit World::deform(BodyId id, std::vector<Vec3> vertices) { return state_->defo
 void World::set_rules(std::span<const PairRule> rules) { state_->set_rules(rules); }
 void World::set_rule(const PairRule& rule) { state_->set_rules({&rule, 1}); }
 void World::prepare() const { state_->prepare(); }
-const WorldStep& World::step() { return state_->step(); }
-const WorldStep& World::step(FunctionRef<bool(BodyId, BodyId)> is_wanted) { return state_->step(&is_wanted); }
+const WorldStep& World::step() { return state_->step({}); }
+const WorldStep& World::step(const Progress& progress) { return state_->step({.progress = &progress}); }
+const WorldStep& World::step(FunctionRef<bool(BodyId, BodyId)> is_wanted) {
+  return state_->step({.are_wanted = &is_wanted});
+}
 const WorldStep& World::step(FunctionRef<bool(BodyId, BodyId)> is_wanted, FunctionRef<void(const PairReport&)> see) {
-  return state_->step(&is_wanted, &see);
+  return state_->step({.are_wanted = &is_wanted, .see = &see});
 }
 
 const WorldStep& World::last_step() const { return state_->last_step(); }

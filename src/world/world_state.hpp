@@ -30,11 +30,14 @@ class World::State {
   Refit deform(BodyId id, std::vector<Vec3> vertices);
   void set_rules(std::span<const PairRule> rules);
   void prepare() const;
-  /// Null: all pairs are wanted.
   using WantedPairs = FunctionRef<bool(BodyId, BodyId)>;
-  using SeePair = FunctionRef<void(const PairReport&)>;
-  /// Null: they are listed.
-  const WorldStep& step(const WantedPairs* are_wanted = nullptr, const SeePair* see = nullptr);
+  /// How a step is asked for.
+  struct Asking {
+    const WantedPairs* are_wanted = nullptr;                    ///< null: all pairs are wanted
+    const FunctionRef<void(const PairReport&)>* see = nullptr;  ///< null: they are listed
+    const Progress* progress = nullptr;                         ///< null: nobody is told
+  };
+  const WorldStep& step(const Asking& asking);
 
   [[nodiscard]] bool contains(BodyId id) const {
     return id.world == number_ && id.index < slots_.size() && slots_[id.index].is_used &&

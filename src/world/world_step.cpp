@@ -114,14 +114,14 @@ void World::State::forget_pairs() {
   free_list(last_.end);
 }
 
-const WorldStep& World::State::step(const WantedPairs* are_wanted, const SeePair* see) {
-  if (are_wanted != nullptr && schedule_)
+const WorldStep& World::State::step(const Asking& asking) {
+  if (asking.are_wanted != nullptr && schedule_)
     throw Error(
         "a World with space_time looks at all pairs: take one without it to look at those alone that are wanted");
   const std::span<const IndexPair> looked = pairs_to_look_at();
   UndecidedPairs undecided;
-  std::vector<DecidedPair> found = candidates(looked, are_wanted, undecided);
-  narrow_.decide(bodies_, on_the_way_, undecided, found);
+  std::vector<DecidedPair> found = candidates(looked, asking.are_wanted, undecided);
+  narrow_.decide(bodies_, on_the_way_, undecided, found, asking.progress != nullptr ? *asking.progress : Progress());
   decided_ = std::move(found);
   last_.candidates = decided_.size();
   last_.asked = undecided.pairs.size();
@@ -129,11 +129,11 @@ const WorldStep& World::State::step(const WantedPairs* are_wanted, const SeePair
   for (const Index index : changed_) slots_[index].has_changed = false;
   changed_.clear();
   arrive();
-  if (see == nullptr) {
+  if (asking.see == nullptr) {
     tell(reports());
   } else {
     forget_pairs();
-    visit_reports(*see);
+    visit_reports(*asking.see);
   }
   return last_;
 }

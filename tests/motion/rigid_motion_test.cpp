@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "oracle/rational.hpp"
 #include "support/rigid_cases.hpp"
@@ -84,6 +85,29 @@ TEST(RigidMotion, AMotionThroughPosesIsAtEachAtItsTime) {
   for (const double time : {0.0, 0.1, 0.6, 1.0}) keys.push_back({time, drawn_rigid_pose(random)});
   const RigidMotion motion = RigidMotion::through(keys, {1, 0, 0});
   for (const MotionKey& key : keys) EXPECT_LT(difference(motion.at(key.time), key.pose), 1e-14);
+}
+
+TEST(RigidMotion, ItsPiecesMakeItAgain) {
+  Random random(31);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<MotionKey> keys{
+        {0, drawn_rigid_pose(random)}, {0.4, drawn_rigid_pose(random)}, {1, drawn_rigid_pose(random)}};
+    const RigidMotion motion = RigidMotion::through(keys, drawn_point(random)).carrying(drawn_rigid_pose(random));
+    const RigidMotion again = RigidMotion::of_pieces({motion.pieces().begin(), motion.pieces().end()});
+    ASSERT_EQ(again.pieces().size(), 2U);
+    for (const double time : {0.0, 0.3, 0.4, 0.8, 1.0}) EXPECT_EQ(again.at(time), motion.at(time));
+  }
+  using Piece = RigidMotion::Piece;
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const std::vector<Piece>& wrong : {std::vector<Piece>{},
+                                          {Piece{0, 0.5}},
+                                          {Piece{0.5, 1}},
+                                          {Piece{0, 0.5}, Piece{0.6, 1}},
+                                          {Piece{0, 0}, Piece{0, 1}},
+                                          {Piece{0, std::nan("")}},
+                                          {Piece{0, 1, Pose::translation(infinite, 0, 0)}},
+                                          {Piece{0, 1, {}, {.axis = {}, .turns = 1}}}})
+    EXPECT_THROW((void)RigidMotion::of_pieces(wrong), Error);
 }
 
 TEST(RigidMotion, APoseThatScalesMovesAsItIs) {

@@ -142,6 +142,54 @@ TEST_F(UrdfFile, OddSizesAreWarnedOf) {
   EXPECT_TRUE(tells(read(text).warnings.back(), "URDF is in metres"));
 }
 
+TEST_F(UrdfFile, ANumberThatIsNoneIsToldWithItsJointAndLine) {
+  const std::string mimic = "multiplier=\"0.1\" offset=\"0.2\"";
+  EXPECT_EQ(fault(mimic, "multiplier=\"fast\""),
+            "robot.urdf:22: joint 'slide': <mimic>: multiplier value (fast) is not a valid float");
+  EXPECT_EQ(fault(mimic, "offset=\"near\""),
+            "robot.urdf:22: joint 'slide': <mimic>: offset value (near) is not a valid float");
+  for (const char* number : {"nan", "1e999", "", "1 2"}) {
+    const std::string told = fault(mimic, fmt::format("multiplier=\"{}\"", number));
+    EXPECT_TRUE(told.starts_with("robot.urdf:22: joint 'slide'")) << told;
+  }
+}
+
+TEST_F(UrdfFile, DegreesAreWarnedOf) {
+  const auto warnings_with = [&](const std::string& angles) {
+    std::string text = small_urdf;
+    const std::string radians = "0 1.5707963267948966 0";
+    return read(text.replace(text.find(radians), radians.size(), angles)).warnings;
+  };
+  for (const char* angles : {"0 6.2831854 0", "-6.2831853071795862 0 3"}) EXPECT_EQ(warnings_with(angles).size(), 1U);
+  for (const char* angles : {"0 90 45", "0 -90 0", "-360 0 0"}) {
+    const auto warnings = warnings_with(angles);
+    ASSERT_EQ(warnings.size(), 2U) << angles;
+    EXPECT_TRUE(tells(warnings[1], fmt::format("line 15: joint 'turn': rpy=\"{}\"", angles))) << warnings[1];
+  }
+  EXPECT_TRUE(tells(warnings_with("0 90 45")[1], "if these are degrees, write 1.5708 for 90"));
+}
+
+TEST_F(UrdfFile, AttributesThatAreNotReadAreWarnedOf) {
+  std::string text = small_urdf;
+  text.replace(text.find("rpy=\"0 1.5"), 3, "rpi");
+  const std::string mimicking = "<mimic joint=\"turn\" multiplier";
+  text.replace(text.find(mimicking), mimicking.size(), "<mimic joint=\"turn\" multipler");
+  const RobotFile file = read(text);
+  ASSERT_EQ(file.warnings.size(), 3U);
+  EXPECT_EQ(file.warnings[1], "line 15: joint 'turn': the attribute rpi of <origin> is not read; did you mean 'rpy'?");
+  EXPECT_EQ(file.warnings[2],
+            "line 22: joint 'slide': the attribute multipler of <mimic> is not read; did you mean 'multiplier'?");
+  // Where urdfdom does not read it, it is told; where it does, the joint turns.
+  text = small_urdf;
+  const std::string radians = "rpy=\"0 1.5707963267948966 0\"";
+  text.replace(text.find(radians), radians.size(), "quat_xyzw=\"0 1 0 0\"");
+  const RobotFile by_quaternion = read(text);
+  const bool is_read = by_quaternion.description.joints[0].origin.linear[0].x == -1;
+  ASSERT_EQ(by_quaternion.warnings.size(), is_read ? 1U : 2U);
+  EXPECT_TRUE(is_read ||
+              tells(by_quaternion.warnings.back(), "the attribute quat_xyzw of <origin> is not read; write"));
+}
+
 TEST_F(UrdfFile, ACollisionThatIsNotUnderstoodIsAnErrorAndNotLeftOut) {
   const std::string link =
       "<link name=\"a\"><collision><origin xyz=\"{}\"/><geometry><box size=\"1 1 1\"/></geometry></collision></link>\n";

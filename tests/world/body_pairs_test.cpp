@@ -128,6 +128,35 @@ struct Robot {
   BodyId post;
 };
 
+TEST(BodyPairs, AnyOverlapLooksAtAllWhateverTheyAre) {
+  bool has_met = false, has_not = false;
+  for (int round = 0; round < 60; ++round) {
+    Random random(static_cast<std::uint64_t>(round) + 1);
+    World world;
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 at = test::vector_in(random, 0, 9);
+      Body body{i % 2 == 0 ? Model(Sphere(0.7)) : Model(Box({0.5, 0.6, 0.7})), Pose::translation(at.x, at.y, at.z)};
+      body.type = BodyType::static_body;  // two such never make a pair
+      body.group = 0;
+      body.margin = 9;
+      world.add(body);
+    }
+    world.remove(world.bodies()[3]);
+    bool expected = false;
+    const std::vector<BodyId> ids = world.bodies();
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      for (std::size_t j = i + 1; j < ids.size(); ++j) {
+        const Body &a = world.body(ids[i]), &b = world.body(ids[j]);
+        expected = expected || overlap(a.model, b.model, query_of(a, b));
+      }
+    EXPECT_EQ(any_overlap(world), expected) << round;
+    EXPECT_EQ(WorldQueries(world).any_overlap(), expected) << round;
+    (expected ? has_met : has_not) = true;
+  }
+  EXPECT_TRUE(has_met && has_not);
+  EXPECT_FALSE(any_overlap(World()));
+}
+
 TEST(BodyPairs, TellWhetherARobotCouldBeSomewhere) {
   const Robot robot;
   const WorldQueries queries(robot.world);

@@ -95,5 +95,47 @@ TEST(WantedPairs, AreNoneOfAWorldThatHasToKnowAll) {
   EXPECT_EQ(world.step().candidates, 0U);
 }
 
+/// What `progress` throws ends a step wherever it comes, and nothing of the steps after it shows that, also where steps
+/// are scheduled ahead.
+TEST(StepProgress, EndsAStepThatIsThenAsIfItHadNotBegun) {
+  struct Ended {};
+  for (const bool space_time : {false, true}) {
+    Random random(5);
+    World undisturbed({.distance = true, .space_time = space_time});
+    std::vector<Body> bodies;
+    for (int i = 0; i < 40; ++i) bodies.push_back(random_body("convex", random));
+    const std::vector<BodyId> ids = undisturbed.add(bodies);
+    World ended = undisturbed;
+    std::size_t times_ended = 0;
+    for (std::size_t frame = 0; frame < 24; ++frame) {
+      const WorldStep before = ended.last_step();
+      std::size_t seen = 0, total = 0;
+      try {
+        ended.step([&](std::size_t done, std::size_t all) {
+          EXPECT_EQ(done, ++seen);
+          total = all;
+          if (done == frame % 7 + 1) throw Ended();
+        });
+        EXPECT_EQ(seen, total);
+      } catch (const Ended&) {
+        ++times_ended;
+        EXPECT_EQ(pairs_of(ended.last_step().begin), pairs_of(before.begin));
+        EXPECT_EQ(pairs_of(ended.last_step().end), pairs_of(before.end));
+        ended.step();
+      }
+      undisturbed.step();
+      EXPECT_EQ(pairs_of(ended.pairs()), pairs_of(undisturbed.pairs())) << frame;
+      EXPECT_EQ(pairs_of(ended.last_step().begin), pairs_of(undisturbed.last_step().begin)) << frame;
+      for (const BodyId id : ids) {
+        Pose to = undisturbed.body(id).pose;
+        to.offset = to.offset + vector_in(random, -0.05, 0.05);
+        undisturbed.move(id, to);
+        ended.move(id, to);
+      }
+    }
+    EXPECT_GT(times_ended, 5U);
+  }
+}
+
 }  // namespace
 }  // namespace toccata::test

@@ -79,6 +79,11 @@ class RigidMotion {
   /// the times are not ascending from 0 to 1, and like `between`.
   [[nodiscard]] static RigidMotion through(std::span<const MotionKey> keys, const Vec3& centre = {});
 
+  /// The motion that these pieces are, one after the other (`pieces`). Each has to go on from where the one before it
+  /// ends, but for rounding, which is not looked at. Throws Error where their times do not lead from 0 to 1, one
+  /// beginning when the one before ends, and like the constructors.
+  [[nodiscard]] static RigidMotion of_pieces(std::vector<Piece> pieces);
+
   /// Any motion: where the shape is, given by a function of the time, and a bound on how fast it moves. At the times at
   /// which the function is asked the shape is where its pose puts it, and in between its points move as the bound
   /// allows; what is answered is true of all such motions. Throws Error when a bound is negative or not finite. The

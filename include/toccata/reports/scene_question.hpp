@@ -288,8 +288,7 @@ struct AskOptions {
 
 /// "check", "check-poses", "check-self", "distance", "distance-poses", "ray", "faces", "nearest", "inspect",
 /// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep",
-/// "subdivide".
-/// "hierarchy", "cost", "crowd", "decompose", "minkowski", "crowd-world", "sweep", "walk".
+/// "walk", "subdivide".
 [[nodiscard]] std::string name_of(const SceneQuestion& question);
 
 /// The report of that answer as JSON, by the schema toccata/<name>/1. Doubles round-trip.

@@ -20,7 +20,9 @@ struct UrdfOptions {
 
 struct RobotFile {
   RobotDescription description;
-  std::vector<std::string> warnings;  ///< sentences: sizes that look like another unit, links that have pictures alone
+  /// Sentences: sizes that look like another unit, angles that look like degrees, attributes that are not read, links
+  /// that have pictures alone.
+  std::vector<std::string> warnings;
 };
 
 /// Reads a URDF file with the meshes that it names: STL, OBJ, PLY, OFF, glTF, scaled as it says. What collides are the

@@ -154,8 +154,10 @@ class World {
   /// the first step that needs it waits for that. No answer depends on it.
   void prepare() const;
 
-  /// Finds the pairs of the bodies as they are now.
+  /// Finds the pairs of the bodies as they are now. `progress` is told how many of the pairs that have to be asked
+  /// about are done; what it throws ends the step, which is then as if it had not begun.
   const WorldStep& step();
+  const WorldStep& step(const Progress& progress);
   /// The same of those pairs alone that are wanted. It is asked, ascending, of two whose boxes overlap and that no rule
   /// leaves out, a.index < b.index; where it says no they are not looked at and are no pair in this step. Throws Error
   /// in a World with space_time, which has to know of all.

@@ -93,6 +93,10 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
   /// Looks where the bodies are now: takes time as a pass over their boxes does.
   void update();
 
+  /// Whether any two bodies have a point in common, whatever their types, groups, margins and rules. Ends with the
+  /// first two that it finds. Throws Error naming two bodies that may not be asked about.
+  [[nodiscard]] bool any_overlap() const;
+
   // The questions below are about pairs of bodies. Margins do not matter. They throw like the questions about two
   // models, naming the bodies; and Error for a placed body that is none of the World, is named twice, or has a pose
   // that it may not have.
@@ -115,5 +119,9 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
   [[nodiscard]] std::vector<std::optional<BodyPairAnswer<Distance>>> least_distance_each(
       std::span<const BodyPairs> pairs, double max_distance = unlimited, const BatchOptions& options = {}) const;
 };
+
+/// WorldQueries::any_overlap by the boxes alone: up to some 2,000 bodies, who asks once after they have moved has the
+/// answer before a tree around them is made.
+[[nodiscard]] bool any_overlap(const World& world);
 
 }  // namespace toccata
