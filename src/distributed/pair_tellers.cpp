@@ -166,7 +166,7 @@ void DistributedWorld::State::add_details(std::span<GlobalPairReport> pairs) con
     decided.push_back({{first, second}});
     asked.push_back(&pair);
   }
-  NarrowPhase(options_.world).decide(bodies, on_the_way, undecided, decided);
+  NarrowPhase(options_.world).decide(bodies, on_the_way, undecided, decided, {});
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i]->details = decided[i].details;
 }
 
