@@ -76,7 +76,7 @@ class NarrowPhase {
 
   /// Fills in pairs[undecided.number] for each of them, and what lasts. Bodies are by index.
   void decide(std::span<const Body> bodies, const BodiesOnTheWay& on_the_way, UndecidedPairs& undecided,
-              std::span<DecidedPair> pairs, const Progress& progress);
+              std::span<DecidedPair> pairs, const Progress& progress = {});
 
  private:
   void decide(const Body& a, const Body& b, double margin, WantedLasting& wanted, DecidedPair& pair,
