@@ -113,6 +113,8 @@ std::string kind_of_finding(const ReportedPair& pair) {
 
 std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
   const std::string a = printable(scene.objects[pair.a].name), b = printable(scene.objects[pair.b].name);
+  if (is_near(pair) && pair.distance && !is_clash(pair))
+    return fmt::format("{} and {} are {}", a, b, distance_text(*pair.distance));
   if (is_near(pair) && pair.distance)
     return fmt::format("{} and {} are nearer than their clearance: {}", a, b, distance_text(*pair.distance));
   const bool is_deep = pair.penetration && pair.penetration->upper > 0;

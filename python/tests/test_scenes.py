@@ -108,6 +108,18 @@ def test_instances_pickle_and_compare(scene):
     assert crate.name in repr(crate) and crate.shape == BOX and crate.pose == toccata.Pose((1, 2, 3))
 
 
+def test_check_all_tells_what_pierces_and_what_decided_the_tolerance():
+    plate, rod = (toccata.generate_mesh("box", half_x=x, half_y=y, half_z=z) for x, y, z in [(2, 2, 0.25), (0.5, 0.25, 2)])
+    for objects, way in [((plate, rod), toccata.ClashPiercing.b_through_a), ((rod, plate), toccata.ClashPiercing.a_through_b)]:
+        (pair,) = toccata.check_all(objects, volume=True).pairs
+        assert pair["clash"] == toccata.ClashKind.pierce and pair["piercing"] == way
+    within, beyond = (toccata.check_all([plate, rod], tolerance=length) for length in (0.6, 0.4))  # half of what both are thick
+    assert within.pairs["tolerance"][0] == toccata.ClashTolerance.within
+    assert within.local_depths["pair"][0] == 0 and 0.5 - 1e-9 <= within.local_depths["upper"][0] <= 0.6
+    assert beyond.pairs["tolerance"][0] == toccata.ClashTolerance.beyond
+    assert 0.4 < beyond.local_depths["lower"][0] <= 0.5 and len(beyond.penetrations) == 0
+
+
 def test_check_all_is_every_pair(knot):
     objects = parts(knot, 16)
     answer = toccata.check_all(objects, contacts=True, penetration=True, clearance=0.2)

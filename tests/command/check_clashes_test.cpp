@@ -202,8 +202,9 @@ TEST_F(CheckClashesOfCommand, ByWhichDepthTheToleranceWasDecidedIsTold) {
   const auto table = run({"--tolerance", "0.06"});
   EXPECT_EQ(table.exit_code, 0);
   EXPECT_NE(table.out.find("within the tolerance: nowhere more than 0.05 deep"), std::string::npos) << table.out;
-  EXPECT_NE(table.out.find("2 pairs within the tolerance of 0.06: 1 by the deepest place, 1 by what parts the two: no"),
-            std::string::npos)
+  EXPECT_NE(
+      table.out.find("2 pairs within the tolerance of 60 mm: 1 by the deepest place, 1 by what parts the two: no"),
+      std::string::npos)
       << table.out;
   const auto deeper = run({"--tolerance", "0.04", "--sarif", "deep.sarif"});
   EXPECT_EQ(deeper.exit_code, 1);

@@ -50,9 +50,12 @@ TEST_F(CheckClearanceCommand, TakesLengthsWithAndWithoutTheirUnit) {
 TEST_F(CheckClearanceCommand, AllDemandsNoneAndTellsDistances) {
   const auto all = run_command({"check", file, "--clearance", "all", "--junit", (folder / "all.xml").string()});
   EXPECT_EQ(all.exit_code, 0) << all.err;
-  EXPECT_NE(all.out.find("  table  is apart from  tool, left  2 apart"), std::string::npos) << all.out;
+  EXPECT_NE(all.out.find("  table       is apart from  tool, left  2 apart"), std::string::npos) << all.out;
   EXPECT_EQ(all.out.find("clearance clash"), std::string::npos) << all.out;
-  EXPECT_NE(test::text_of(folder / "all.xml").find("tests=\"3\" failures=\"0\""), std::string::npos);
+  const std::string junit = test::text_of(folder / "all.xml");
+  EXPECT_NE(junit.find("tests=\"3\" failures=\"0\""), std::string::npos) << junit;
+  EXPECT_NE(junit.find("table and tool, left are 2 apart"), std::string::npos) << junit;
+  EXPECT_EQ(junit.find("nearer than"), std::string::npos) << junit;
   const std::vector<std::string> one_demanded{"check", file, "--clearance", "all", "--clearance-of", "wall,table=5cm"};
   const auto one = run_command(one_demanded);
   EXPECT_EQ(one.exit_code, 1);

@@ -48,6 +48,11 @@ bool has_lines(const Words& question) {
   return question[0] != "inspect" && question[0] != "decompose" && question[0] != "minkowski";
 }
 
+/// What was told without the last line where that says that coordinates were rounded: those of a case are.
+std::string without_note_of_rounding(const std::string& told) {
+  return told.substr(0, told.find("Coordinates were multiplied by "));
+}
+
 TEST(ReplayCommand, EveryQuestionIsAnsweredAgainFromTheFileAlone) {
   for (const Words& question : questions) {
     SCOPED_TRACE(question[0] + " " + question[1] + " " + question[2]);
@@ -62,7 +67,7 @@ TEST(ReplayCommand, EveryQuestionIsAnsweredAgainFromTheFileAlone) {
                                  std::filesystem::copy_options::overwrite_existing);
       const auto again = run_command(with({"replay", "case.json"}, told), elsewhere.path());
       EXPECT_EQ(again.exit_code, 0) << again.err;
-      EXPECT_TRUE(again.out.starts_with(asked.out)) << asked.out << "\n" << again.out;
+      EXPECT_TRUE(again.out.starts_with(without_note_of_rounding(asked.out))) << asked.out << "\n" << again.out;
       EXPECT_NE((again.out + again.err).find("The same answer as recorded, bit for bit"), std::string::npos);
       EXPECT_EQ(again.out == asked.out, !format.empty());
     }
@@ -105,7 +110,7 @@ TEST(ReplayCommand, CheckAnswersEveryCase) {
     for (const std::string& subcommand : {std::string("check"), question[0]}) {
       if (question.back() == "--hierarchy" && subcommand == "inspect") continue;  // it asks for the objects
       const auto again = run_command({subcommand, "case.json"}, folder.path());
-      EXPECT_EQ(again.out, asked.out) << again.err;
+      EXPECT_EQ(again.out, without_note_of_rounding(asked.out)) << again.err;
       EXPECT_EQ(again.exit_code, asked.exit_code);
     }
   }

@@ -268,7 +268,8 @@ TEST_F(ShapeCommands, CheckTellsHowDeepAndWhere) {
   const std::string file = folder.write("scene.json", deep).string();
   const auto table = run_command({"check", file, "--penetration"});
   EXPECT_EQ(table.exit_code, 1) << table.err;
-  EXPECT_NE(table.out.find("      0.125 deep along (0, 0, -1)\n      contact at "), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("      0.125 deep along (0, 0, -1), moving ground\n      contact at "), std::string::npos)
+      << table.out;
   EXPECT_NE(table.out.find("      no depth: a surface has no interior"), std::string::npos) << table.out;
   const Json report = Json::parse(run_command({"check", file, "--penetration", "--json"}).out);
   ASSERT_EQ(report["pairs"].size(), 3U);

@@ -487,7 +487,11 @@ std::size_t bytes_of_crossing_page(const TriangleMesh& a, const TriangleMesh& b)
   const Vec3 third = (1.0 / 3) * (box.upper - box.lower);
   Scene scene;
   const auto object = [](const char* name, const TriangleMesh& mesh, const Pose& pose) {
-    return SceneObject{.name = name, .shape = std::make_shared<const TriangleMesh>(mesh), .pose = pose};
+    SceneObject made;
+    made.name = name;
+    made.shape = std::make_shared<const TriangleMesh>(mesh);
+    made.pose = pose;
+    return made;
   };
   scene.objects = {object("a", a, {}), object("b", b, Pose::translation(third.x, third.y / 4, third.z / 4))};
   const std::vector<SceneInstance> models = scene_models(scene);

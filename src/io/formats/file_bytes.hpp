@@ -27,7 +27,8 @@ struct CloseFile {
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
 /// A file that nobody else has, under a name of its own beside the one that it is made for, until it gets that name:
-/// what is not completed goes away. Throws Error naming the file that it is made for.
+/// what is not completed goes away. Where the name is a symbolic link, it is made for what that leads to. Throws Error
+/// naming the file that it is made for.
 class FileInMaking {
  public:
   explicit FileInMaking(const std::filesystem::path& target);

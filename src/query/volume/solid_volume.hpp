@@ -18,7 +18,7 @@ struct CommonSolid {
   /// polyhedra within; 0 where that was not found out: then a surface may lie inside its solid.
   std::size_t curve_count = 0;
   std::optional<ContactSide> pierces{};  ///< where there are several: the one that goes through the other, if one does
-  std::optional<Vec3> point;  ///< certainly of both, closed; none where none was found
+  std::optional<Vec3> point;             ///< certainly of both, closed; none where none was found
 };
 
 /// What two models have in common that are both solids, one of which is bounded.
