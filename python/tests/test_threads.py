@@ -183,7 +183,7 @@ def test_ctrl_c_ends_what_takes_long(given, asked):
 AFTER_CTRL_C = """
 import signal, toccata
 knot = toccata.generate_mesh("torus-knot")
-places = [(0.01 * i, 0, 0) for i in range(8)]
+places = [(0.01 * i, 0, 0) for i in range(16)]
 def world():
     made = toccata.World(contacts=True)
     made.add_each(knot, places)
@@ -192,7 +192,7 @@ ended, undisturbed = world(), world()
 def stop(*_):
     raise KeyboardInterrupt
 signal.signal(signal.SIGALRM, stop)
-signal.setitimer(signal.ITIMER_REAL, 0.1)
+signal.setitimer(signal.ITIMER_REAL, 0.05)
 try:
     ended.step()
 except KeyboardInterrupt:
@@ -205,7 +205,7 @@ def use(*_):
         raise RuntimeError(str(error))
 signal.signal(signal.SIGALRM, use)
 ended.move(ended.bodies, places[::-1])
-signal.setitimer(signal.ITIMER_REAL, 0.1)
+signal.setitimer(signal.ITIMER_REAL, 0.05)
 try:
     ended.step()
 except RuntimeError as error:
@@ -217,7 +217,7 @@ def test_a_world_whose_step_was_ended_goes_on():
     """And what a signal calls within a step gets an error where it uses the World, and does not wait for itself."""
     run = subprocess.run([sys.executable, "-c", AFTER_CTRL_C], capture_output=True, text=True, timeout=120)
     first, second, third = run.stdout.splitlines()
-    assert (first, second) == ("interrupted 0", "True 28") and "it is being asked" in third, run.stdout + run.stderr
+    assert (first, second) == ("interrupted 0", "True 120") and "it is being asked" in third, run.stdout + run.stderr
 
 
 def child(results: multiprocessing.Queue) -> None:
