@@ -203,7 +203,7 @@ std::string json_of(const ToldFiles& told, const Arguments& arguments, const Che
 std::string table_of(const ToldFiles& told, const CheckReport& report) {
   std::vector<TableObject> objects;
   for (const ToldObject& object : told.objects) objects.push_back(object.table);
-  return check_table(told.loaded.scene, objects, report);
+  return check_table(told.loaded.scene, objects, report) + scaling_line(told.loaded);
 }
 
 void print_report(const ToldFiles& told, const Arguments& arguments, const CheckQuestion& question,

@@ -148,13 +148,7 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
 }  // namespace
 
 std::string table_of(const CheckInput& input, const CheckReport& report) {
-  std::string text = check_table(input.loaded.scene, report);
-  if (!input.loaded.scaled_by.empty())
-    text += fmt::format(
-        "Coordinates were multiplied by {} and rounded: slanted faces that touch in the files may be apart or overlap "
-        "by a last digit.\n",
-        input.loaded.scaled_by);
-  return text;
+  return check_table(input.loaded.scene, report) + scaling_line(input.loaded);
 }
 
 Summary summary_of(const CheckReport& report) {

@@ -284,6 +284,14 @@ bool tells_lengths(const CheckReport& report) {
 
 }  // namespace
 
+std::string scaling_line(const LoadedScene& loaded) {
+  if (loaded.scaled_by.empty()) return {};
+  return fmt::format(
+      "Coordinates were multiplied by {} and rounded: slanted faces that touch in the files may be apart or overlap by "
+      "a last digit.\n",
+      loaded.scaled_by);
+}
+
 std::vector<TableObject> table_objects(const Scene& scene) {
   std::vector<TableObject> objects;
   for (const SceneObject& object : scene.objects) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "load.hpp"
 #include "toccata/reports/report.hpp"
 
 namespace toccata::command {
@@ -20,6 +21,9 @@ struct TableObject {
 
 std::vector<TableObject> table_objects(const Scene& scene);
 std::size_t triangle_count(std::span<const TableObject> objects);
+
+/// What --unit and --scale did to coordinates, where these were rounded; else empty.
+std::string scaling_line(const LoadedScene& loaded);
 
 /// What was found, for people. Of the scene its unit and the names count.
 std::string check_table(const Scene& scene, std::span<const TableObject> objects, const CheckReport& report);

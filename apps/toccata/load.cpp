@@ -314,15 +314,14 @@ LoadedScene joined(const InputArguments& input, const std::map<std::string, Conv
   loaded.first_object.push_back(loaded.scene.objects.size());
   loaded.first_node.push_back(loaded.scene.nodes.size());
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
+  loaded.scaled_by = rounding_factor(input);
   return loaded;
 }
 
 LoadedScene load(const InputArguments& input) {
   if (input.files.empty()) throw Error("no file was named: name " + input.wanted);
   require_use_of_unit(input);
-  LoadedScene loaded = joined(input, read_all(input));
-  loaded.scaled_by = rounding_factor(input);
-  return loaded;
+  return joined(input, read_all(input));
 }
 
 Pose parse_pose(const std::vector<std::string>& words, const std::string& option) {
