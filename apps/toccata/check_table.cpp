@@ -31,7 +31,8 @@ std::string verb_of(const FormerPair& pair) {
   Relation relation;
   relation.kind = pair.kind;
   relation.containment = pair.containment;
-  return pair.kind == RelationKind::apart ? "clearance clash" : verb_of(relation);
+  if (pair.kind != RelationKind::apart) return verb_of(relation);
+  return pair.demanded ? "clearance clash" : "is apart from";
 }
 
 /// The depth by which a verdict was come to, as far as it is known.

@@ -57,9 +57,23 @@ auto asked_about(const Model& model, const Ask& ask) {
 /// looked for signals, and gets an Error.
 class Turns {
  public:
+  /// As long as it lives, this thread is within a function of Python that the library has called.
+  class WithinFunction {
+   public:
+    WithinFunction() : before_(std::exchange(within_function(), true)) {}
+    WithinFunction(const WithinFunction&) = delete;
+    WithinFunction& operator=(const WithinFunction&) = delete;
+    ~WithinFunction() { within_function() = before_; }
+
+   private:
+    bool before_;
+  };
+
   void lock() {
     require_other();
-    mutex_.lock();
+    // Who waited within a function that the library called would wait for the one who waits for that function.
+    if (within_function() && !mutex_.try_lock()) refuse();
+    if (!within_function()) mutex_.lock();
     owner_ = std::this_thread::get_id();
   }
   bool try_lock() {
@@ -74,9 +88,18 @@ class Turns {
   }
 
  private:
+  static bool& within_function() {
+    thread_local bool is_within = false;
+    return is_within;
+  }
+  [[noreturn]] static void refuse() {
+    throw Error(
+        "it is being asked: what a signal calls meanwhile, or the function of a motion, may not use it; let a signal "
+        "set "
+        "a flag, or raise");
+  }
   void require_other() const {
-    if (owner_ == std::this_thread::get_id())
-      throw Error("it is being asked: what a signal calls meanwhile may not use it; let it set a flag, or raise");
+    if (owner_ == std::this_thread::get_id()) refuse();
   }
 
   std::mutex mutex_;

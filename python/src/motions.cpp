@@ -162,6 +162,7 @@ HeldMotion by_function(nb::callable pose_at, double speed, double turns, const A
   const std::weak_ptr<nb::callable> function = held;
   auto asked_with_lock = [held = std::move(held)](double time) {
     const nb::gil_scoped_acquire acquired;
+    const Turns::WithinFunction within;
     const nb::object pose = (*held)(time);
     if (pose.is_none()) throw Error("pose_at returns None: it has to return the pose at that time");
     return pose_of(pose, "what pose_at returns");
@@ -285,8 +286,8 @@ void bind_motion(nb::module_& module) {
 
 At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
 counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-rests. RigidMotion(pieces=…) is made of what `pieces` tells, which go on from each other from 0 to 1. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
-finite, and for pieces that do not.)");
+rests. RigidMotion(pieces=…) is made of what `pieces` tells, whose times go on from each other from 0 to 1; whether their places do is not looked at. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+finite, and for pieces whose times do not.)");
   bind_constructors(bound);
   bind_makers(bound);
   bind_parts_of_motion(bound);

@@ -374,7 +374,11 @@ void bind_making(nb::class_<Robot>& bound) {
 
 void bind_manners_of_robots(nb::class_<Robot>& bound) {
   bind_copying(bound);
-  bind_value(bound, &making_of_robot);
+  bind_pickling(bound, &making_of_robot);
+  bind_equality(bound, [](const Robot& robot) {
+    const Making making = making_of_robot(robot);  // links by their names, which tell not in what order they are
+    return Making(nb::make_tuple(link_names(robot), making.arguments), making.named);
+  });
   bound.def("__hash__", [](const Robot& robot) {
     return nb::hash(nb::make_tuple(robot.name(), nb::tuple(nb::cast(link_names(robot)))));
   });

@@ -34,10 +34,11 @@ void require_made(nb::handle self) {
   throw nb::type_error(fmt::format("this {} was never made: its class's __init__ was not called", name).c_str());
 }
 
-nb::object copied(nb::handle self, nb::handle memo) {
+nb::object copied(nb::handle self, nb::handle memo, void (*copy)(void* place, nb::handle of)) {
   require_made(self);
   nb::object made = nb::inst_alloc(self.type());
-  nb::inst_copy(made, self);
+  copy(nb::inst_ptr<void>(made), self);  // what is not ready is freed without its destructor
+  nb::inst_mark_ready(made);
   if (has_more(self)) helper("give_added")(made, self, memo.is_valid() ? nb::borrow(memo) : nb::none());
   return made;
 }

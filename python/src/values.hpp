@@ -30,8 +30,14 @@ struct Making {
 /// What pickle is told of an answer, which no user makes: its state.
 [[nodiscard]] nb::object reduced_to_state(nb::handle self);
 
-/// A copy of what is held, in an object of the same class. A memo is that of copy.deepcopy; none: copy.copy asks.
-[[nodiscard]] nb::object copied(nb::handle self, nb::handle memo);
+/// A copy of what is held, in an object of the same class, which `copy` makes at a place; it may throw. A memo is that
+/// of copy.deepcopy; none: copy.copy asks.
+[[nodiscard]] nb::object copied(nb::handle self, nb::handle memo, void (*copy)(void* place, nb::handle of));
+
+template <class Value>
+void copy_value(void* place, nb::handle of) {
+  new (place) Value(nb::cast<const Value&>(of));
+}
 
 /// Raises TypeError.
 [[noreturn]] void refuse_pickling(nb::handle self, const char* instead);
@@ -77,11 +83,13 @@ template <class Value, class... Rest>
 void bind_copying(nb::class_<Value, Rest...>& bound) {
   bound
       .def("__copy__",
-           [](nb::handle_t<Value> self) { return nb::borrow<nb::typed<nb::object, Value>>(copied(self, {})); })
+           [](nb::handle_t<Value> self) {
+             return nb::borrow<nb::typed<nb::object, Value>>(copied(self, {}, &copy_value<Value>));
+           })
       .def(
           "__deepcopy__",
           [](nb::handle_t<Value> self, const nb::typed<nb::dict, int, nb::object>& memo) {
-            return nb::borrow<nb::typed<nb::object, Value>>(copied(self, memo));
+            return nb::borrow<nb::typed<nb::object, Value>>(copied(self, memo, &copy_value<Value>));
           },
           nb::arg("memo"));
 }

@@ -181,7 +181,7 @@ def test_ctrl_c_ends_what_takes_long(given, asked):
 
 
 AFTER_CTRL_C = """
-import signal, toccata
+import copy, signal, toccata
 knot = toccata.generate_mesh("torus-knot")
 places = [(0.01 * i, 0, 0) for i in range(16)]
 def world():
@@ -199,10 +199,13 @@ except KeyboardInterrupt:
     print("interrupted", len(ended.pairs))
 print((ended.step().begin.pairs["in_contact"] == undisturbed.step().begin.pairs["in_contact"]).all(), len(ended.pairs))
 def use(*_):
-    try:
-        len(ended)
-    except toccata.Error as error:
-        raise RuntimeError(str(error))
+    told = []
+    for way in (len, copy.copy, copy.deepcopy):
+        try:
+            way(ended)
+        except toccata.Error as error:
+            told.append(str(error))
+    raise RuntimeError(f"{len(told)} times: {told[0]}")
 signal.signal(signal.SIGALRM, use)
 ended.move(ended.bodies, places[::-1])
 signal.setitimer(signal.ITIMER_REAL, 0.05)
@@ -217,7 +220,33 @@ def test_a_world_whose_step_was_ended_goes_on():
     """And what a signal calls within a step gets an error where it uses the World, and does not wait for itself."""
     run = subprocess.run([sys.executable, "-c", AFTER_CTRL_C], capture_output=True, text=True, timeout=120)
     first, second, third = run.stdout.splitlines()
-    assert (first, second) == ("interrupted 0", "True 120") and "it is being asked" in third, run.stdout + run.stderr
+    assert (first, second) == ("interrupted 0", "True 120") and third.startswith("3 times: it is being asked"), run.stdout + run.stderr
+
+
+OF_A_FUNCTION = """
+import numpy, toccata
+world = toccata.World(threads=2)
+body = world.add(toccata.Sphere(1))
+world.add_each(toccata.Sphere(1), [(3, 0.1 * i, 0) for i in range(50)])
+told = set()
+def pose_at(time):
+    try:
+        len(world)
+    except toccata.Error as error:
+        told.add(str(error)[:20])
+    pose = numpy.eye(4)
+    pose[0, 3] = 4 * time
+    return pose
+world.move_along(body, toccata.RigidMotion.of(pose_at, speed=4))
+world.step()
+print(told)
+"""
+
+
+def test_a_motion_that_uses_its_world_gets_an_error():
+    """On whichever thread it is asked: it would wait for the World, which waits for it."""
+    run = subprocess.run([sys.executable, "-c", OF_A_FUNCTION], capture_output=True, text=True, timeout=120)
+    assert run.stdout.split("\n")[0] == "{'it is being asked: w'}", run.stdout + run.stderr
 
 
 def child(results: multiprocessing.Queue) -> None:

@@ -199,6 +199,41 @@ def test_what_python_3_10_keeps_is_what_later_ones_do():
     for value in (both, plain, slotted, BALL):
         told = _state_before_python_3_11(value)
         assert told == (value.__getstate__() if hasattr(object, "__getstate__") else told)
+    assert _state_before_python_3_11(both) == ({"number": 3}, {"label": "mine"}) and _state_before_python_3_11(BALL) is None
+
+
+class WithSecret(toccata.Sphere):
+    __slots__ = ("__secret",)
+
+    def keep(self, secret):
+        self.__secret = secret
+        return self
+
+    def told(self):
+        return self.__secret
+
+
+class WithoutSlots(toccata.Sphere):
+    __slots__ = ()
+
+    def __setstate__(self, state):
+        raise AssertionError("it has no state")
+
+
+def test_private_slots_are_kept_and_no_state_is_not_given():
+    value = WithSecret(1).keep(7)
+    for again in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
+        assert again.told() == 7
+    for again in (copy.copy(WithoutSlots(1)), pickle.loads(pickle.dumps(WithoutSlots(1)))):
+        assert type(again) is WithoutSlots and again == WithoutSlots(1)
+
+
+def test_robots_whose_links_are_in_another_order_differ():
+    ball = toccata.Sphere(1)
+    joints = [toccata.RobotJoint(f"to {name}", toccata.RobotJointKind.fixed, "base", name) for name in ("x", "y")]
+    one = toccata.Robot({"base": [], "x": [ball], "y": [ball]}, joints)
+    other = toccata.Robot({"base": [], "y": [ball], "x": [ball]}, joints)
+    assert one == toccata.Robot({"base": [], "x": [ball], "y": [ball]}, joints) and one != other and one.links != other.links
 
 
 def test_what_a_derived_mesh_shares_is_not_copied():

@@ -6,6 +6,7 @@ The compiled part calls these, and pickles name `remade`.
 from __future__ import annotations
 
 import copy
+import copyreg
 from typing import Any
 
 import numpy
@@ -32,12 +33,9 @@ def _added(value: object) -> Any:
 
 def _state_before_python_3_11(value: object) -> Any:
     """What object.__getstate__ tells since."""
-    own, slots = getattr(value, "__dict__", None), {}
-    for kind in type(value).__mro__:
-        names = vars(kind).get("__slots__", ())
-        for name in (names,) if isinstance(names, str) else names:
-            if name not in ("__dict__", "__weakref__") and hasattr(value, name):
-                slots[name] = getattr(value, name)
+    own = getattr(value, "__dict__", None)
+    names = copyreg._slotnames(type(value))  # type: ignore[attr-defined]  # with those that are private
+    slots = {name: getattr(value, name) for name in names if hasattr(value, name)}
     return (own, slots) if slots else own
 
 
@@ -47,6 +45,8 @@ def give_added(made: Any, value: object, memo: dict[int, object] | None) -> None
     if memo is not None:
         memo[id(value)] = made
         state = copy.deepcopy(state, memo)
+    if state is None:
+        return
     if hasattr(made, "__setstate__"):
         made.__setstate__(state)
         return

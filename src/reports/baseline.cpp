@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -37,9 +38,28 @@ FormerPair flipped(FormerPair pair) {
 
 /// As a report tells it, and a question.
 FormerPair former_pair_of(const io::JsonValue& pair) {
-  return {pair.at("a").text(), pair.at("b").text(), io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
+  return {pair.at("a").text(),
+          pair.at("b").text(),
+          io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
           io::one_named<Containment>(pair.at("containment"), containments),
-          pair.text_or("tolerance", "") == name_of(ToleranceVerdict::within)};
+          pair.text_or("tolerance", "") == name_of(ToleranceVerdict::within),
+          pair.flag_or("demanded", true)};
+}
+
+/// The pairs of a report. Where it told how far apart all are, those that are apart and have no clearance of their own
+/// are none that were too near.
+std::vector<FormerPair> former_pairs_in(const io::JsonValue& top) {
+  const bool tells_all = top.has("clearance") && std::isinf(io::length_of(top.at("clearance")));
+  std::set<std::pair<std::string, std::string>> own;
+  for (const io::JsonValue& pair : top.elements("pair_clearances"))
+    own.emplace(pair.at("a").text(), pair.at("b").text());
+  std::vector<FormerPair> pairs;
+  for (const io::JsonValue& told : top.elements("pairs")) {
+    FormerPair pair = former_pair_of(told);
+    if (tells_all && pair.kind == RelationKind::apart && !own.contains({pair.a, pair.b})) pair.demanded = false;
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
 }
 
 std::optional<Aabb> box_of(const io::JsonValue& object) {
@@ -163,6 +183,7 @@ Json json_of(const FormerPair& pair) {
                {"relation", name_of(pair.kind)},
                {"containment", name_of(pair.containment)}};
   if (pair.within_tolerance) json["tolerance"] = name_of(ToleranceVerdict::within);
+  if (!pair.demanded) json["demanded"] = false;
   return json;
 }
 
@@ -188,7 +209,7 @@ Baseline baseline_of(const JsonValue& value) {
     baseline.objects.push_back(former_object_of(object));
   }
   for (const JsonValue& pair : value.elements("pairs")) {
-    pair.expect_keys({"a", "b", "relation", "containment", "tolerance"});
+    pair.expect_keys({"a", "b", "relation", "containment", "tolerance", "demanded"});
     baseline.pairs.push_back(former_pair_of(pair));
   }
   return baseline;
@@ -253,7 +274,7 @@ Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
              "name the report of a check that came to its end");
   require_common_object(top, scene);
   Baseline baseline{file, {}, {}};
-  for (const io::JsonValue& pair : top.elements("pairs")) baseline.pairs.push_back(former_pair_of(pair));
+  baseline.pairs = former_pairs_in(top);
   baseline.objects = former_objects_in(top, baseline.pairs, scene.unit);
   return baseline;
 }

@@ -114,7 +114,7 @@ std::string remark_on(const Relation& relation) {
 }
 
 Since since_baseline(const ReportedPair& pair) {
-  if (!pair.was) return Since::added;
+  if (!pair.was || (!pair.was->demanded && is_clash(pair))) return Since::added;
   // Without a tolerance of now the depth of then tells nothing: an overlap was one.
   const bool was_within = pair.was->within_tolerance && pair.tolerance != ToleranceVerdict::none;
   const int now = gravity_of(pair.relation.kind, pair.tolerance == ToleranceVerdict::within),

@@ -74,6 +74,18 @@ TEST_F(CheckBaseline, TellsWhatIsNewKnownGraverAndGone) {
       Json::parse(R"([{"a": "a", "b": "b", "relation": "overlapping", "containment": "none", "reason": "apart"}])"));
 }
 
+/// A report of how far apart all are has told no clash of these.
+TEST_F(CheckBaseline, WhatWasApartAndDemandedNothingIsNew) {
+  const std::vector<Placed> near = {{"a", 0}, {"b", 2.005}};
+  const std::vector<std::string> too_near = {"--clearance", "0.01"};
+  keep({{"a", 0}, {"b", 6}}, {"--clearance", "all"});
+  EXPECT_EQ(since(near, too_near)["pairs"][0]["baseline"], "new");
+  EXPECT_EQ(check(near, {"--clearance", "0.01", "--baseline", "old.json", "--fail-on", "new"}).exit_code, 1);
+  EXPECT_EQ(since(near, {"--clearance", "all"})["pairs"][0]["baseline"], "moved");
+  keep(near, {"--clearance", "all", "--clearance-of", "a,b=0.01"});
+  EXPECT_EQ(since(near, too_near)["pairs"][0]["baseline"], "known");
+}
+
 TEST_F(CheckBaseline, TellsWhatIsNoGraverAndHasMoved) {
   keep(row);
   const Json slid = since({{"a", 0.25}, {"b", 1.5}, {"c", 3.5}, {"ü", 9}});

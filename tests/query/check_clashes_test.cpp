@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -85,6 +86,29 @@ TEST(CheckClashes, AForkInAPlateProtrudesAtTwoPlaces) {
   EXPECT_EQ(only_pair(plate, prongs, upside_down, with_volume).kind, ClashKind::protrude);
 }
 
+/// At even distances, so that points between two feet may lie in others.
+TEST(CheckClashes, FeetInARowProtrude) {
+  for (const int count : {2, 5, 8}) {
+    std::vector<TriangleMesh> feet;
+    for (int i = 0; i < count; ++i) feet.push_back(box_at({0.3, 0.3, 0.3}, {1.0 * i, 0, 0.75}));
+    const PairAnswer pair =
+        only_pair(box_at({0.5 * count, 0.5, 0.5}, {0.5 * count - 0.5, 0, 0}), joined(feet), {}, with_both);
+    EXPECT_EQ(pair.kind, ClashKind::protrude) << count;
+    EXPECT_EQ(pair.regions.size(), static_cast<std::size_t>(count));
+  }
+}
+
+TEST(CheckClashes, OfWhatEndsInAFaceTheKindIsTheSameInEitherOrder) {
+  const TriangleMesh plate = box_mesh({1, 1, 0.1});
+  for (const double far : {-0.1, 0.1})
+    for (const Vec3& half : {Vec3{0.1, 0.2, 0.5}, Vec3{0.2, 0.1, 0.5}}) {
+      const TriangleMesh rod = box_at(half, {0.3, 0.1, far + (far < 0 ? 0.5 : -0.5)});
+      const PairAnswer one = only_pair(plate, rod, {}, with_volume), other = only_pair(rod, plate, {}, with_volume);
+      EXPECT_EQ(one.kind, other.kind) << far;
+      EXPECT_EQ(one.piercing == PairAnswer::Piercing::b_through_a, other.piercing == PairAnswer::Piercing::a_through_b);
+    }
+}
+
 TEST(CheckClashes, ShapesAreToldTheSameWay) {
   EXPECT_EQ(only_pair(Model(Box({1, 1, 0.1})), Model(Cylinder(0.2, 1)), {}, with_volume).kind, ClashKind::pierce);
   EXPECT_EQ(only_pair(Model(Sphere(1)), Model(Sphere(1)), Pose::translation(1.5, 0, 0), with_volume).kind,
@@ -127,6 +151,23 @@ TEST(CheckClashes, ThePointIsOffBothSurfacesWithDepthsToo) {
       EXPECT_EQ(from.side, Side::inside);
       EXPECT_LT(from.upper, 0);
     }
+  }
+}
+
+/// A slab between the wall of a hollow and what is too wide for it, whose deepest points lie on edges.
+TEST(CheckClashes, ThePointOfASlabIsTold) {
+  TriangleMesh cavity = box_mesh({1, 1, 1});
+  std::vector<std::array<Index, 3>> turned(cavity.triangles().begin(), cavity.triangles().end());
+  for (std::array<Index, 3>& triangle : turned) std::swap(triangle[1], triangle[2]);
+  const std::vector<Vec3> corners(cavity.vertices().begin(), cavity.vertices().end());
+  const Model hollow(joined({box_mesh({1.5, 1.5, 1.5}), TriangleMesh(corners, turned)})),
+      inner(box_mesh({0.5, 0.5, 0.5}));
+  for (const double y : {0.0, 0.5}) {
+    const Pose pose = Pose::translation(0.55, y, 0);
+    const PairAnswer pair = only_pair(hollow, inner, pose, with_volume);
+    ASSERT_TRUE(pair.common_point) << y;
+    EXPECT_EQ(signed_distance(*pair.common_point, hollow).side, Side::inside);
+    EXPECT_LT(signed_distance(*pair.common_point, inner, pose).upper, 0);
   }
 }
 

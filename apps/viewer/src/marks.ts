@@ -122,8 +122,9 @@ export class Marks {
     const length = roundLength(Math.min(perPixel * 140 * size, Number.MAX_VALUE));
     const [bar, text] = element('scale').children as unknown as [HTMLElement, HTMLElement];
     const width = `${Math.round((10 * length) / size / perPixel) / 10}px`;
-    if (bar.style.width === width) return; // what is written is drawn anew, also where it is the same
+    const told = lengthText(length, this.unit);
+    if (bar.style.width === width && text.textContent === told) return; // what is written is drawn anew, also where it is the same
     bar.style.width = width;
-    text.textContent = lengthText(length, this.unit);
+    text.textContent = told;
   }
 }

@@ -38,6 +38,17 @@ function boxOf(numbers: Float32Array | Uint16Array): Box3 {
   return new Box3(new Vector3().fromArray(lower), new Vector3().fromArray(upper));
 }
 
+/// Six times what a closed mesh encloses; below 0 where it is inside out.
+function volumeOf(geometry: BufferGeometry): number {
+  const p = geometry.getAttribute('position').array, corners = geometry.getIndex()!.array;
+  let volume = 0;
+  for (let at = 0; at < corners.length; at += 3) {
+    const [a, b, c] = [3 * corners[at], 3 * corners[at + 1], 3 * corners[at + 2]];
+    volume += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) + p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2]) + p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
+  }
+  return volume;
+}
+
 export type Look = 'shown' | 'ghost' | 'hidden';
 
 export interface Appearance {
@@ -71,7 +82,8 @@ export class Objects {
   private readonly crowds: Crowd[] = [];
   private readonly moved = new Set<number>(); // since they were drawn
   private readonly solidMaterials: MeshLambertMaterial[] = [];
-  private readonly closedMaterials: MeshLambertMaterial[] = []; // of closed meshes alone, none of which is mirrored
+  private readonly closed: { material: MeshLambertMaterial; members: Member[] }[] = []; // of closed meshes alone
+  private closedMaterials: MeshLambertMaterial[] | undefined; // of those none of which shows its back; made when it is first wanted
   private readonly triangles: number;
 
   constructor(private readonly data: PageData) {
@@ -124,8 +136,8 @@ export class Objects {
   }
 
   private add(drawings: Drawings, members: Member[]): void {
-    const isClosed = ({ object, matrix }: Member) => this.data.report.objects[object].closed && matrix.determinant() > 0;
-    if (members.every(isClosed)) this.closedMaterials.push(drawings.shown.drawn.material as MeshLambertMaterial);
+    if (members.every(({ object }) => this.data.report.objects[object].closed))
+      this.closed.push({ material: drawings.shown.drawn.material as MeshLambertMaterial, members });
     drawings.ghost.drawn.renderOrder = 1;
     this.group.add(drawings.shown.drawn, drawings.ghost.drawn);
     this.drawings.push(drawings);
@@ -164,6 +176,9 @@ export class Objects {
   setDetail(triangles: number | undefined, backs = true): void {
     const share = triangles === undefined ? undefined : triangles / this.triangles;
     for (const { shown, ghost } of this.drawings) for (const drawing of [shown, ghost]) drawing.setCoarse(share);
+    if (backs && !this.closedMaterials) return;
+    const showsFront = ({ geometry, matrix }: Member) => volumeOf(geometry) * matrix.determinant() > 0;
+    this.closedMaterials ??= this.closed.filter(({ members }) => members.every(showsFront)).map(({ material }) => material);
     for (const material of this.closedMaterials) {
       const side = backs ? DoubleSide : FrontSide;
       if (material.side === side) continue;

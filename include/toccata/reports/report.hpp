@@ -52,6 +52,7 @@ struct FormerPair {
   RelationKind kind = RelationKind::apart;
   Containment containment = Containment::none;
   bool within_tolerance = false;
+  bool demanded = true;  ///< no: two that were apart, of which no clearance was demanded (`--clearance all`)
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
 

@@ -190,12 +190,17 @@ class Regions {
 
   [[nodiscard]] std::size_t curve_count_of(const RegionMembers& members) {
     CrossingCurves curves;
+    const bool in_order = comes_first(pair_.a, pair_.b);
     for (const Index i : members.contacts) {
       const Contact& contact = contacts_[i];
       const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
       if (!has_area(a) || !has_area(b)) continue;
-      const EdgesThrough through = perturbed_edges_through(a, b);
-      if (through.any()) curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
+      const EdgesThrough through = in_order ? perturbed_edges_through(a, b) : perturbed_edges_through(b, a);
+      if (!through.any()) continue;
+      if (in_order)
+        curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
+      else
+        curves.add(graph_b_, contact.triangle_b, graph_a_, contact.triangle_a, through);
     }
     return curves.count();
   }

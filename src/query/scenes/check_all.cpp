@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/vec3_measures.hpp"
 #include "query/contacts/part_contacts.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
@@ -229,14 +230,19 @@ class Check {
     if (!answer.common_point) answer.common_point = common.point;
   }
 
-  /// Off both surfaces, in the deepest region where one is found: half way across it, or where that is deepest.
+  /// Off both surfaces, in the deepest region where one is found: half way across it, or where that is deepest, or a
+  /// little from there towards the middle of the region.
   static std::optional<Vec3> inner_point(const std::vector<ContactRegion>& regions, const PosedMesh& a,
                                          const PosedMesh& b) {
     for (const ContactRegion& region : regions) {
       if (!region.depth || !(region.depth->lower > 0)) break;
       const Vec3 half = (0.5 * region.depth->lower) * region.normal;
-      for (const Vec3& point : {region.deepest, region.deepest - half, region.deepest + half})
-        if (is_interior(point, a) && is_interior(point, b)) return point;
+      const Vec3 middle = 0.5 * region.box.lower + 0.5 * region.box.upper;
+      for (const Vec3& point : {region.deepest, region.deepest - half, region.deepest + half}) {
+        const Vec3 inward = point + (0.25 * region.depth->lower) * unit_or_zero(middle - point);
+        for (const Vec3& one : {point, inward})
+          if (is_interior(one, a) && is_interior(one, b)) return one;
+      }
     }
     return std::nullopt;
   }

@@ -39,23 +39,6 @@ struct CommonPiece {
   const char* no_body = nullptr;  ///< why there is none, where there should be one
 };
 
-/// The order in which two meshes are looked at does not depend on that in which they are named.
-bool comes_first(const PosedMesh& a, const PosedMesh& b) {
-  const auto key = [](const PosedMesh& mesh) {
-    const Aabb& box = mesh.box();
-    const Triangle t = mesh.triangle(0);
-    return std::tuple(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z,
-                      mesh.model().mesh().triangle_count(), t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z);
-  };
-  if (key(a) != key(b)) return key(a) < key(b);
-  for (Index i = 0; i < a.model().mesh().triangle_count(); ++i)
-    for (int corner = 0; corner < 3; ++corner) {
-      const Vec3 p = a.triangle(i)[corner], q = b.triangle(i)[corner];
-      if (!(p == q)) return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-    }
-  return true;
-}
-
 constexpr const char* several_windings = "a mesh passes through itself there, or has no inside that can be proved";
 constexpr const char* rounded_away = "rounding the corners leaves faces that cannot be cut";
 constexpr const char* too_thin = "it is thinner than the rounding of coordinates";

@@ -1,6 +1,7 @@
 #include "query/volume/perturbed_pair.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "math/constants.hpp"
 #include "query/inside/inside_point.hpp"
@@ -71,6 +72,22 @@ bool EdgesThrough::any() const {
   const auto passes_one = [](int through) { return through != 0; };
   return std::any_of(of_first.begin(), of_first.end(), passes_one) ||
          std::any_of(of_second.begin(), of_second.end(), passes_one);
+}
+
+bool comes_first(const PosedMesh& a, const PosedMesh& b) {
+  const auto key = [](const PosedMesh& mesh) {
+    const Aabb& box = mesh.box();
+    const Triangle t = mesh.triangle(0);
+    return std::tuple(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z,
+                      mesh.model().mesh().triangle_count(), t[0].x, t[0].y, t[0].z, t[1].x, t[1].y, t[1].z);
+  };
+  if (key(a) != key(b)) return key(a) < key(b);
+  for (Index i = 0; i < a.model().mesh().triangle_count(); ++i)
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3 p = a.triangle(i)[corner], q = b.triangle(i)[corner];
+      if (!(p == q)) return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    }
+  return true;
 }
 
 EdgesThrough perturbed_edges_through(const Triangle& first, const Triangle& second) {

@@ -28,6 +28,10 @@ struct EdgesThrough {
   [[nodiscard]] bool any() const;
 };
 
+/// The order in which two meshes are looked at does not depend on that in which they are named, and so what is
+/// disturbed does not.
+[[nodiscard]] bool comes_first(const PosedMesh& a, const PosedMesh& b);
+
 /// Exact. Preconditions: both have area.
 [[nodiscard]] EdgesThrough perturbed_edges_through(const Triangle& first, const Triangle& second);
 
