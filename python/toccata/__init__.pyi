@@ -2204,8 +2204,8 @@ class RigidMotion:
 
     At the part s of it a world point w is at centre + R(axis, s * turns) (w - centre) + s * translation, where R turns
     counter-clockwise about the axis and 1 is a whole turn; starting from where the shape is under `start`. RigidMotion(pose)
-    rests. RigidMotion(pieces=…) is made of what `pieces` tells, which go on from each other from 0 to 1. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
-    finite, and for pieces that do not.
+    rests. RigidMotion(pieces=…) is made of what `pieces` tells, whose times go on from each other from 0 to 1; whether their places do is not looked at. Vectors have the shape (3,); lengths are in the unit of the coordinates. Immutable. Raises Error when a number is not
+    finite, and for pieces whose times do not.
     """
 
     @overload
