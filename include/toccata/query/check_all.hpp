@@ -49,7 +49,7 @@ struct PairAnswer {
   /// Where one passes through the other: which does. Its surface leads through the other from curve to curve.
   enum class Piercing {
     none,         ///< it is no `pierce`
-    unknown,      ///< as of two rods of one width that cross, or of what goes through here and is gone through there
+    unknown,      ///< as of a hollow pipe through a slab, or of what goes through here and is gone through there
     a_through_b,  ///< as a rod A through a plate B
     b_through_a
   };
