@@ -53,13 +53,11 @@ struct Arguments : CheckCommand {
 void require_same(Ranks& ranks, std::string_view own, const char* what) {
   MessageWriter writer;
   writer.put(io::checksum_of(own));
-  const std::vector<Bytes> all = ranks.of_all(writer.take());
-  const auto other = std::ranges::find_if(all, [&](const Bytes& one) { return one != all.front(); });
-  if (other != all.end())
+  if (const std::optional<std::ptrdiff_t> other = ranks.unlike_first(writer.take()))
     throw Error(
         fmt::format("rank {} has other {} than rank 0: all ranks read them, so they have to be the same on all "
                     "machines, and not from standard input, which rank 0 alone has",
-                    other - all.begin(), what));
+                    *other, what));
 }
 
 /// A file with its models.

@@ -5,6 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -107,20 +108,20 @@ Value member_of(nb::handle answer, const char* name) {
                                                    : nb::object(answer[name].attr("item")()));
 }
 
-/// A RobotScene as Python holds it: with the options that made it.
+/// A RobotScene as Python holds it: with the options that made it, which its copies share.
 struct HeldRobotScene : RobotScene {
   HeldRobotScene(const Robot& robot, std::span<const SceneInstance> obstacles, RobotSceneOptions given)
-      : RobotScene(robot, obstacles, given), options(std::move(given)) {}
+      : RobotScene(robot, obstacles, given), options(std::make_shared<const RobotSceneOptions>(std::move(given))) {}
 
-  RobotSceneOptions options;
+  std::shared_ptr<const RobotSceneOptions> options;
 };
 
 Making making_of_scene(const HeldRobotScene& scene) {
   nb::list allowed;
-  for (const AllowedPair& pair : scene.options.allowed) allowed.append(nb::make_tuple(pair.a, pair.b));
+  for (const AllowedPair& pair : scene.options->allowed) allowed.append(nb::make_tuple(pair.a, pair.b));
   nb::dict named;
   named["allowed"] = allowed;
-  named["allow_adjacent"] = scene.options.allow_adjacent;
+  named["allow_adjacent"] = scene.options->allow_adjacent;
   const std::vector<SceneInstance> obstacles(scene.obstacles().begin(), scene.obstacles().end());
   return {nb::make_tuple(scene.robot(), obstacles), named};
 }

@@ -76,10 +76,8 @@ class DistributedScene::State {
       own.put(length.value_or(0));
     }
     own.put_all(std::span<const PairClearance>(options.pair_clearances));
-    const std::vector<Bytes> all = ranks_.of_all(own.take());
-    const auto other = std::ranges::find_if(all, [&](const Bytes& one) { return one != all.front(); });
-    if (other != all.end())
-      throw Error(fmt::format("rank {} checks with other options than rank 0", other - all.begin()));
+    if (const std::optional<std::ptrdiff_t> other = ranks_.unlike_first(own.take()))
+      throw Error(fmt::format("rank {} checks with other options than rank 0", *other));
   }
 
   /// A part that was read for its boxes alone.

@@ -163,6 +163,12 @@ std::vector<Bytes> Ranks::of_all(const Bytes& own) {
   return all;
 }
 
+std::optional<std::ptrdiff_t> Ranks::unlike_first(const Bytes& own) {
+  const std::vector<Bytes> all = of_all(own);
+  const auto other = std::ranges::find_if(all, [&](const Bytes& one) { return one != all.front(); });
+  return other == all.end() ? std::nullopt : std::optional(other - all.begin());
+}
+
 void Ranks::receive_what_is_there(int tag, std::vector<Received>& received) {
   int is_there = 0;
   MPI_Status status;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +47,8 @@ class Ranks {
 
   /// What each rank gives, by rank.
   [[nodiscard]] std::vector<Bytes> of_all(const Bytes& own);
+  /// The least rank that gives something else than rank 0, if any does: the same answer on all of them.
+  [[nodiscard]] std::optional<std::ptrdiff_t> unlike_first(const Bytes& own);
 
   /// Sends each message to its rank and returns those that came here, ascending by the rank they are from. It takes as
   /// many messages as there are ranks that have something for each other, and one barrier. (T. Hoefler, C. Siebert,

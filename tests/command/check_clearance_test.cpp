@@ -1,6 +1,7 @@
 // check --clearance as a person or a script meets it.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
@@ -149,6 +150,25 @@ TEST_F(CheckClearanceCommand, TellsTheLengthsAsked) {
   EXPECT_EQ(report["pair_clearances"],
             Json::parse(R"([{"a": "table", "b": "wall", "a_index": 0, "b_index": 2, "clearance": 50},
                             {"a": "tool, left", "b": "wall", "a_index": 1, "b_index": 2, "clearance": "all"}])"));
+}
+
+TEST_F(CheckClearanceCommand, TellsOfEachPairHowFarApartItHasToBe) {
+  const std::vector<std::string> words{"check", file, "--clearance", "all", "--clearance-of", "wall,table=5cm"};
+  const auto with = [&](const std::string& format) {
+    std::vector<std::string> all = words;
+    all.push_back(format);
+    return run_command(all).out;
+  };
+  std::map<std::string, Json> of_pair;
+  const Json report = Json::parse(with("--json"));
+  for (const Json& pair : report["pairs"])
+    of_pair[pair["a"].get<std::string>() + " " + pair["b"].get<std::string>()] = pair["clearance"];
+  const std::map<std::string, Json> wanted{{"table tool, left", "all"}, {"table wall", 50}, {"tool, left wall", "all"}};
+  EXPECT_EQ(of_pair, wanted);
+  const std::string csv = with("--csv");
+  EXPECT_NE(csv.find(",distance_status,clearance\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",exact,50\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",exact,all\n"), std::string::npos) << csv;
 }
 
 TEST_F(CheckClearanceCommand, CountsThePairsThatAreAsNearAsTheirOwnLength) {

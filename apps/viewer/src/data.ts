@@ -150,6 +150,7 @@ export interface Pair {
   manifold?: { normal: Vec; points: { position: Vec; depth: number }[] } | null;
   regions?: Region[];
   distance?: Distance;
+  clearance?: number | 'all';
   baseline?: 'new' | 'known' | 'moved' | 'graver';
   was?: { relation: string; containment: string };
   moved_by?: number;

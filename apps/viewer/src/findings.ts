@@ -106,6 +106,7 @@ const toleranceWords = { within: 'within the tolerance', beyond: 'beyond the tol
 /// As the field calls it.
 function kindOf(pair: Pair): string {
   if (pair.tolerance === 'within') return 'within tolerance';
+  if (pair.relation === 'apart' && pair.clearance === 'all') return 'apart';
   if (pair.kind) return pair.kind;
   if (pair.relation === 'apart') return 'clearance';
   if (pair.relation === 'touching') return 'touching';

@@ -144,7 +144,10 @@ std::string text_of(const ReportedPair& pair, const Scene& scene, const CheckRep
   }
   if (pair.tolerance != ToleranceVerdict::none) add_verdict(line, pair);
   if (report.has_volume) add_common_volume(line, pair);
-  if (report.clearance && pair.distance) io::add(line["distance"] = io::Json::object(), *pair.distance);
+  if (report.clearance && pair.distance) {
+    io::add(line["distance"] = io::Json::object(), *pair.distance);
+    line["clearance"] = json_of_length(pair.clearance);
+  }
   if (pair.winding)
     line["winding"] = {{"value", pair.winding->value}, {"lower", pair.winding->lower}, {"upper", pair.winding->upper}};
   std::string text = io::line_of(line);
@@ -166,8 +169,10 @@ std::string csv_end_names(const CheckReport& report) {
   names.pop_back();
   if (report.tolerance) names += tolerance_fields;
   if (report.has_volume) names += volume_fields;
-  if (report.clearance)
+  if (report.clearance) {
     for (const std::string_view name : distance_fields) names += fmt::format(",distance_{}", name);
+    names += ",clearance";
+  }
   if (report.baseline) names += ",baseline,was_relation,was_containment,moved_by";
   if (report.grouping != ClashGrouping::none) names += ",group";
   return names + "\n";
@@ -175,7 +180,8 @@ std::string csv_end_names(const CheckReport& report) {
 
 /// Empty fields where there is none.
 std::string csv_of_distance(const ReportedPair& pair) {
-  return pair.distance ? io::csv_of(*pair.distance) : std::string(distance_fields.size(), ',');
+  if (!pair.distance) return std::string(distance_fields.size() + 1, ',');
+  return io::csv_of(*pair.distance) + "," + (std::isinf(pair.clearance) ? "all" : fmt::format("{}", pair.clearance));
 }
 
 std::string csv_of_baseline(const ReportedPair& pair) {
@@ -226,7 +232,7 @@ std::string csv_of_gone(const CheckReport& report, std::size_t fields_of_pair) {
   };
   const std::size_t between =
       (report.has_penetration || report.tolerance ? 6 : 0) + (report.tolerance ? count_of(tolerance_fields) : 0) +
-      (report.has_volume ? count_of(volume_fields) : 0) + (report.clearance ? distance_fields.size() : 0);
+      (report.has_volume ? count_of(volume_fields) : 0) + (report.clearance ? distance_fields.size() + 1 : 0);
   for (const GonePair& pair : report.gone)
     csv += fmt::format("{},{},{}{},gone,{},{},{}\n", csv_field(io::as_utf8(pair.was.a)),
                        csv_field(io::as_utf8(pair.was.b)), name_of(pair.reason),
@@ -485,7 +491,8 @@ struct CheckKind {
   static io::Json words(const CheckReport& report, io::PairMethods& methods) {
     io::Json words = io::Json::array();
     for (const ReportedPair& pair : report.pairs) {
-      io::Json entry = io::words_of(pair.relation, "is closer than its clearance to");
+      io::Json entry =
+          io::words_of(pair.relation, is_clash(pair) ? "is closer than its clearance to" : "is apart from");
       if (report.has_faces) entry["face_pairs"] = pair.face_pairs.size();
       if (!is_empty(pair.place) && has_bounds(pair.place))
         entry["place"] = io::Json::array({io::json_of(pair.place.lower), io::json_of(pair.place.upper)});
