@@ -72,9 +72,24 @@ struct PartPair {
   }
 };
 
+/// What is made where it is first used, and kept: memory that would take a question about two plain shapes longer to
+/// make than the question takes.
+template <class Value>
+class MadeWhereUsed {
+ public:
+  Value& operator*() {
+    if (!value_) value_ = std::make_unique<Value>();
+    return *value_;
+  }
+  Value* operator->() { return &**this; }
+
+ private:
+  std::unique_ptr<Value> value_;
+};
+
 /// Memory that searches need and keep: see Workspace.
 struct SearchScratch {
-  SearchPart main;
+  MadeWhereUsed<SearchPart> main;
   std::vector<std::unique_ptr<SearchPart>> others;  ///< of a search that is spread over threads
   std::vector<std::uint64_t> sample;                ///< of the pairs' numbers
   std::vector<PairRange> ranges;
@@ -88,7 +103,7 @@ struct SearchScratch {
   std::vector<Contact> all_contacts;            ///< of all parts of two models
   std::vector<Index> triangles;                 ///< that meet a shape
   std::vector<std::pair<Index, Index>> faces;   ///< that meet
-  NearFrontier near;
+  MadeWhereUsed<NearFrontier> near;
   SweptFrontier swept;
   std::vector<WaitingCast> casts;         ///< of quadrics, still to be asked: a heap
   std::vector<NearCandidate> candidates;  ///< for the nearest pair

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "narrow/exact/exact_interior.hpp"
 #include "toccata/math/pose.hpp"
+#include "toccata/math/predicates.hpp"
 #include "toccata/narrow/convex_convex.hpp"
 
 namespace toccata {
@@ -155,6 +157,46 @@ TEST(ConvexRelation, AtTheEndsOfTheRange) {
   }
 }
 
+/// Whether all vertices of A are within the hull of B's world vertices, exactly.
+bool lies_within(const PosedPolytope& a, const PosedPolytope& b) {
+  std::vector<Vec3> corners;
+  for (Index i = 0; i < b.vertex_count(); ++i) corners.push_back(b.vertex(i));
+  const ConvexHull hull(corners);
+  const HullTopology t = hull.topology();
+  for (Index f = 0; f < t.face_count(); ++f) {
+    const auto corner = [&](Index k) { return hull.vertex(t.origin[t.face_start[f] + k]); };
+    for (Index i = 0; i < a.vertex_count(); ++i)
+      if (orient3d(corner(0), corner(1), corner(2), a.vertex(i)) == Sign::positive) return false;
+  }
+  return true;
+}
+
+// Far from the origin the corners of a face are rounded off its plane by far more than a product of small differences
+// is off: how much is part of what doubles have to prove.
+TEST(ConvexRelation, WithinAFaceThatRoundingHasBentIsToldExactly) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const ConvexHull block(std::vector<Vec3>{
+      {-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
+  int within = 0, not_within = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose pose{rotation_about({number(random), number(random), number(random)}, 180 * number(random)),
+                    {1e6 * number(random), 1e6, 1e6 * number(random)}};
+    const Vec3 middle = pose * Vec3{},
+               peak = pose * Vec3{0.6 * number(random), 0.6 * number(random), 1 - 2e-10 * number(random)};
+    const ConvexHull spike(
+        std::vector<Vec3>{peak, middle, middle + Vec3{0.1, 0, 0}, middle + Vec3{0, 0.1, 0}, middle + Vec3{0, 0, 0.1}});
+    const PosedPolytope a{spike};
+    for (const PosedPolytope& b : {PosedPolytope{block, pose}, PosedPolytope{Box({1, 1, 1}), pose}}) {
+      const bool is_within = lies_within(a, b);
+      EXPECT_EQ(relation(a, b).containment == Containment::a_in_b, is_within) << i;
+      ++(is_within ? within : not_within);
+    }
+  }
+  EXPECT_GT(within, 100);
+  EXPECT_GT(not_within, 100);
+}
+
 TEST(ConvexRelation, CountsAQuestionOnce) {
   SimplexCache workspace;
   (void)relation(box_at({}), box_at({9, 0, 0}), &workspace);
@@ -164,6 +206,24 @@ TEST(ConvexRelation, CountsAQuestionOnce) {
   (void)relation(box_at({}), box_at({2, 0, 0}), &workspace);
   EXPECT_EQ(workspace.counts.exact, 1U);
   EXPECT_EQ(workspace.counts.certificates + workspace.counts.closed_forms, 2U);
+}
+
+TEST(ConvexRelation, OfGrownShapesThatMeetDeeplyNeedsNoExactArithmetic) {
+  const auto capsule_at = [](double y, double z) { return PosedPolytope{Capsule({-1, y, z}, {1, y, z}, 0.5)}; };
+  const PosedPolytope box = box_at({}), rounded{Rounded(Box({1, 1, 1}), 0.25)};
+  for (const double depth : {1.0, 1e-3, 1e-9}) {
+    SimplexCache workspace;
+    const auto is_deep = [&](const PosedPolytope& a, const PosedPolytope& b) {
+      const Relation answer = relation(a, b, &workspace);
+      return answer.kind == RelationKind::overlapping && answer.containment == Containment::none;
+    };
+    EXPECT_TRUE(is_deep(ball_at({2 - depth, 0.3, 0.2}, 1), box)) << depth;
+    EXPECT_TRUE(is_deep(capsule_at(0, 0), ball_at({0.3, 1.5 - depth, 0}, 1))) << depth;
+    EXPECT_TRUE(is_deep(capsule_at(0, 0), capsule_at(1 - depth, 1e-5))) << depth;
+    EXPECT_TRUE(is_deep(capsule_at(1.5 - depth, 0.1), box)) << depth;
+    EXPECT_TRUE(is_deep(rounded, box_at({2.25 - depth, 0.3, 0.2}))) << depth;
+    EXPECT_EQ(workspace.counts.exact, 0U) << depth;
+  }
 }
 
 TEST(InteriorsMeet, WhereTheCommonPointIsAVertexOfBoth) {

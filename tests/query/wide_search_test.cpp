@@ -236,11 +236,11 @@ TEST(WideSearch, NothingIsAllocatedAfterTheFirstCall) {
   query.solid_a = query.solid_b = Solid::none;
   Workspace workspace;
   static_cast<void>(contacts(a, b, query, workspace));
-  const SearchScratch& scratch = workspace.scratch();
+  SearchScratch& scratch = workspace.scratch();
   const auto places = [&] {
-    return std::vector<const void*>{scratch.main.frontier.blocks.data(),    scratch.main.frontier.boxes.data(),
-                                    scratch.main.frontier.places[0].data(), scratch.main.frontier.places[1].data(),
-                                    scratch.main.frontier.pairs.data(),     scratch.contacts.data()};
+    const WideFrontier& frontier = scratch.main->frontier;
+    return std::vector<const void*>{frontier.blocks.data(),    frontier.boxes.data(), frontier.places[0].data(),
+                                    frontier.places[1].data(), frontier.pairs.data(), scratch.contacts.data()};
   };
   const auto before = places();
   for (int round = 0; round < 3; ++round) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/filter.hpp"
+#include "math/vec3_measures.hpp"
 #include "math/wide_integer.hpp"
 #include "narrow/convex/core_distance.hpp"
 #include "shapes/hull_walk.hpp"
@@ -70,6 +71,96 @@ bool certainly_sticks_out(const SolidSide& a, const SolidSide& b) {
   }
   return false;
 }
+
+/// Whether A lies within B, so deep that doubles prove it.
+///
+/// The corners of B are those of a convex polytope H, moved by at most some δ: H is the exact image of the shape under
+/// its pose. What has a ball of radius δ around it within H lies in the hull of the moved corners, which reaches as far
+/// as H in every direction but for δ. So every vertex of A, grown by `more`, has to be that deep behind all facets.
+///
+/// A facet's plane is known by three of its moved corners p, q, r. Let U be the sum of the magnitudes of the
+/// coordinates of q − p and r − p, X that of v − p for a point v. With the corners of H in place of p, q, r each
+/// coordinate of the normal (q − p) × (r − p) changes by less than 2.1 δ U, and its product with v − p by less than 2.4
+/// δ U (X + U), for δ < U / 32: where δ is more, the test fails.
+class DeepWithin {
+ public:
+  DeepWithin(const SolidSide& a, const SolidSide& b)
+      : a_(a.shape()),
+        b_(b.shape()),
+        middle_(0.5 * a.bounds().lower + 0.5 * a.bounds().upper),
+        slack_(slack_of(b_)),
+        more_(a.radius() > b.radius() ? a.radius() - b.radius() : 0) {
+    for (Index i = 0; i < a_.vertex_count(); ++i)
+      around_middle_ = std::max(around_middle_, dot(a_.vertex(i) - middle_, a_.vertex(i) - middle_));
+    around_middle_ = std::sqrt(around_middle_ + filter::floor);
+    // Of few enough that their sum is rounded by no more than some slacks.
+    const Index step = b_.vertex_count() / 64 + 1, some = (b_.vertex_count() + step - 1) / step;
+    for (Index i = 0; i < b_.vertex_count(); i += step) inside_ = inside_ + (1.0 / some) * b_.vertex(i);
+  }
+
+  [[nodiscard]] bool is_certain() const {
+    const HullTopology t = b_.topology();
+    if (t.face_count() < 4) return false;
+    for (Index face = 0; face < t.face_count(); ++face)
+      if (!is_behind(Plane(b_, &t.origin[t.face_start[face]]))) return false;
+    return true;
+  }
+
+ private:
+  struct Plane {
+    Plane(const PosedPolytope& shape, const Index* corners) : point(shape.vertex(corners[0])) {
+      const Vec3 u = shape.vertex(corners[1]) - point, w = shape.vertex(corners[2]) - point;
+      normal = filtered_cross(u, w);
+      size = sum_of_magnitudes(u) + sum_of_magnitudes(w);
+    }
+
+    Vec3 point;
+    FilteredCross normal;
+    double size = 0;  ///< U
+  };
+
+  static double slack_of(const PosedPolytope& shape) {
+    if (shape.stored_extent() == 0) return shape.as_box().slack;
+    const Mat3& linear = shape.pose().linear;
+    double stretch = 0;
+    for (int row = 0; row < 3; ++row) stretch = std::max(stretch, sum_of_magnitudes(linear[row]));
+    // Each of three coordinates meets six roundings of at most 2^-53 of the magnitudes.
+    return 0x1p-49 * (stretch * shape.stored_extent() + largest_magnitude(shape.pose().offset)) + filter::floor;
+  }
+
+  /// The height of a point above the plane, with all that it may be off by.
+  [[nodiscard]] Filtered height_of(const Plane& plane, const Vec3& point) const {
+    const Vec3 from = point - plane.point;
+    Filtered height = filtered_triple_product(plane.normal, from);
+    height.error += 8 * slack_ * plane.size * (plane.size + sum_of_magnitudes(from));
+    return height;
+  }
+
+  [[nodiscard]] bool is_behind(const Plane& plane) const {
+    const double squared = dot(plane.normal.value, plane.normal.value);
+    if (!(squared > 0x1p-900)) return false;  // squares have underflowed
+    const double most = std::sqrt(squared) + (0x1p-48 * plane.size + 8 * slack_) * plane.size;
+    const Filtered inside = height_of(plane, inside_);
+    if (!inside.is_positive() && !inside.is_negative()) return false;
+    const double outward = inside.is_positive() ? -1 : 1;
+    const auto is_deep = [&](const Vec3& point, double reach) {
+      const Filtered height = height_of(plane, point);
+      return -outward * height.value > 1.01 * (height.error + (reach + slack_) * most);  // each rounded a few times
+    };
+    if (is_deep(middle_, around_middle_ + more_)) return true;
+    for (Index i = 0; i < a_.vertex_count(); ++i)
+      if (!is_deep(a_.vertex(i), more_)) return false;
+    return true;
+  }
+
+  const PosedPolytope& a_;
+  const PosedPolytope& b_;
+  Vec3 middle_;               ///< of A
+  double around_middle_ = 0;  ///< no vertex of A is farther from it, but for rounding
+  Vec3 inside_;               ///< of B: the mean of some corners
+  double slack_;              ///< δ
+  double more_;
+};
 
 struct Decided {
   bool yes = false;
@@ -148,6 +239,7 @@ Decided is_near_core(const SolidSide& a, const SolidSide& b, SharedBoundary boun
 
 Decided is_within(SolidSide& a, SolidSide& b, SharedBoundary boundary) {
   if (certainly_sticks_out(a, b)) return {};
+  if (DeepWithin(a, b).is_certain()) return {true, false};
   if (a.radius() < b.radius()) return is_near_core(a, b, boundary);
   if (b.core().dimension() == 3) return is_behind_facets(a, b, boundary);
   return a.radius() == b.radius() ? is_near_core(a, b, boundary) : Decided{};

@@ -41,14 +41,18 @@ class RelationQuestion {
   /// cores are nearer than their sum.
   bool meet_deeply() {
     if (is_flattened(a_) || is_flattened(b_)) return false;
+    const bool is_grown = a_.radius() > 0 || b_.radius() > 0;
+    // A formula proves an intersection by more than any rounding: solids meet inside then, and cores are nearer than
+    // the sum of the radii.
+    if ((is_grown || (a_.solid() && b_.solid())) && nearness_by_formula(a_, b_) == Nearness::meet) return true;
     const VertexPairs simplex = cached_simplex(workspace_, a_, b_);
-    if (a_.radius() > 0 || b_.radius() > 0) {
-      const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);
+    if (is_grown) {
+      const CoreDistanceOrder order = simplex.size > 0
+                                          ? compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex)
+                                          : compare_core_distance(a_, b_, a_.radius(), b_.radius(), {});
       by_exact_ = by_exact_ || order.by_exact;
       return order.sign == Sign::negative;
     }
-    // A formula proves an intersection by more than any rounding: solids without radii meet inside then.
-    if (a_.solid() && b_.solid() && nearness_by_formula(a_, b_) == Nearness::meet) return true;
     if (simplex.size == 4 && origin_within_tetrahedron(a_, b_, simplex)) return true;
     by_exact_ = true;
     return interiors_meet(a_, b_, simplex);

@@ -20,7 +20,7 @@ constexpr std::size_t sampled_per_range = 64;
 /// What all parts of a search found.
 class AllFound {
  public:
-  explicit AllFound(const SearchScratch& scratch) : scratch_(scratch) {
+  explicit AllFound(SearchScratch& scratch) : scratch_(scratch) {
     each_list([&](std::span<const FoundPair> list) { size_ += list.size(); });
   }
 
@@ -59,7 +59,7 @@ class AllFound {
  private:
   template <class See>
   void each_list(const See& see) const {
-    see(std::span(scratch_.main.found.pairs));
+    see(std::span(scratch_.main->found.pairs));
     for (const auto& part : scratch_.others) see(std::span(part->found.pairs));
   }
   template <class See>
@@ -69,7 +69,7 @@ class AllFound {
     });
   }
 
-  const SearchScratch& scratch_;
+  SearchScratch& scratch_;
   std::size_t size_ = 0;
 };
 
@@ -104,7 +104,7 @@ std::span<const FoundPair> ascending_pairs(const AllFound& found, PairRange& ran
 
 /// What one thread found is put in order where it lies.
 void order_alone(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  std::vector<FoundPair>& found = scratch.main.found.pairs;
+  std::vector<FoundPair>& found = scratch.main->found.pairs;
   if (scratch.ranges.empty()) scratch.ranges.resize(1);
   std::vector<FoundPair>& spare = scratch.ranges.front().spare;
   if (spare.size() < found.size()) spare.resize(found.size());

@@ -132,12 +132,12 @@ NearBvh near_bvh(const PosedMesh& mesh) {
 /// Shows the question the pair that was nearest before, and then all others that may matter.
 void ask_near(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, NearQuestion& question) {
   const ItemPair warm{scratch.convex.element_a, scratch.convex.element_b};
-  scratch.near.counts = {};
+  scratch.near->counts = {};
   if (warm.first < a.model().element_count() && warm.second < b.model().element_count()) question.visit({&warm, 1});
   if (question.limit() >= 0) {
-    near_walk(a, b).run(scratch.near, question);
+    near_walk(a, b).run(*scratch.near, question);
   }
-  scratch.counts = scratch.near.counts;
+  scratch.counts = scratch.near->counts;
 }
 
 Distance at_triangle(const PosedMesh& a, Index triangle, Distance found) {
@@ -166,15 +166,15 @@ std::optional<Distance> at_some_triangle(const PosedTriangles& a, const PosedQua
 template <class Shape>
 void ask_near(const PosedMesh& a, const Shape& b, SearchScratch& scratch, NearQuestion& question) {
   const ItemPair warm{scratch.convex.element_a, 0};
-  scratch.near.counts = {};
+  scratch.near->counts = {};
   if (warm.first < a.model().element_count()) question.visit({&warm, 1});
   if (question.limit() >= 0) {
     const ConvexNearBvh shape(b);
     const NearFrame frame = near_frame(a);
     const NearWalk walk(near_bvh(a), shape.tree(), near_view(frame, shape.frame), near_view(shape.frame, frame));
-    walk.run(scratch.near, question);
+    walk.run(*scratch.near, question);
   }
-  scratch.counts = scratch.near.counts;
+  scratch.counts = scratch.near->counts;
 }
 
 template <class Shape>

@@ -31,7 +31,7 @@ void run(const PosedMesh& a, const PosedMesh& b, std::size_t first_batch, Search
   if (are_told_apart(cull, a, b, scratch)) return;
   const WideCull constants = wide_cull(cull, a, b);
   const WideWalk walk(a.model().wide_bvh(), b.model().wide_bvh(), constants);
-  WideFrontier& frontier = scratch.main.frontier;
+  WideFrontier& frontier = scratch.main->frontier;
   walk.start(frontier, first_batch);
   walk.run(frontier, visitor);
   scratch.counts = frontier.counts;
@@ -39,8 +39,8 @@ void run(const PosedMesh& a, const PosedMesh& b, std::size_t first_batch, Search
 
 void run_self(const PosedMesh& mesh, std::size_t first_batch, SearchScratch& scratch, WideVisitor& visitor) {
   const MeshWalk walk(mesh, mesh);
-  walk->run_self(scratch.main.frontier, first_batch, visitor);
-  scratch.counts = scratch.main.frontier.counts;
+  walk->run_self(scratch.main->frontier, first_batch, visitor);
+  scratch.counts = scratch.main->frontier.counts;
 }
 
 /// Shows the contacts of every batch until `see` returns false.
@@ -67,28 +67,28 @@ class ContactsSeen final : public WideVisitor {
 };
 
 void forget_found(SearchScratch& scratch) {
-  scratch.main.found.clear();
+  scratch.main->found.clear();
   for (const auto& part : scratch.others) part->found.clear();
 }
 
 }  // namespace
 
 bool surfaces_meet(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  AnyIntersection<OfTwoMeshes> any(a, b, scratch.main);
+  AnyIntersection<OfTwoMeshes> any(a, b, *scratch.main);
   run(a, b, small_batch, scratch, any);
   return any.found;
 }
 
 void visit_surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch,
                             FunctionRef<bool(const Contact&)> see) {
-  ContactsSeen seen(a, b, scratch.main, see);
+  ContactsSeen seen(a, b, *scratch.main, see);
   run(a, b, small_batch, scratch, seen);
 }
 
 std::span<const Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
   forget_found(scratch);
   if (threads == 1) {
-    Collector<OfTwoMeshes> collect(a, b, scratch.main);
+    Collector<OfTwoMeshes> collect(a, b, *scratch.main);
     run(a, b, WideWalk::largest_batch, scratch, collect);
     order_contacts(a, b, scratch, threads);
   } else {
@@ -109,13 +109,13 @@ std::vector<Contact> surface_contacts(const PosedMesh& a, const PosedMesh& b) {
 }
 
 std::optional<ItemPair> some_surface_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  FirstIntersection first(a, b, scratch.main);
+  FirstIntersection first(a, b, *scratch.main);
   run(a, b, small_batch, scratch, first);
   return first.found;
 }
 
 std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
-  LeastIntersection least(a, b, scratch.main);
+  LeastIntersection least(a, b, *scratch.main);
   run(a, b, WideWalk::largest_batch, scratch, least);
   if (!least.least) return std::nullopt;
   const auto [first, second] = *least.least;
@@ -124,14 +124,14 @@ std::optional<Contact> first_surface_contact(const PosedMesh& a, const PosedMesh
 }
 
 bool intersects_itself(const PosedMesh& mesh, SearchScratch& scratch) {
-  AnyIntersection<OfOneMesh> any(mesh, mesh, scratch.main);
+  AnyIntersection<OfOneMesh> any(mesh, mesh, *scratch.main);
   run_self(mesh, small_batch, scratch, any);
   return any.found;
 }
 
 std::span<const Contact> self_contacts(const PosedMesh& mesh, SearchScratch& scratch) {
   forget_found(scratch);
-  Collector<OfOneMesh> collect(mesh, mesh, scratch.main);
+  Collector<OfOneMesh> collect(mesh, mesh, *scratch.main);
   run_self(mesh, WideWalk::largest_batch, scratch, collect);
   order_contacts(mesh, mesh, scratch, 1);
   return scratch.contacts;

@@ -26,7 +26,7 @@ void prepare_parts(SearchScratch& scratch, std::size_t count) {
 /// allocates nothing, whoever is faster then.
 void share_growth(SearchScratch& scratch) {
   std::size_t pairs = 0, intersections = 0;
-  WideFrontier& largest = scratch.main.frontier;
+  WideFrontier& largest = scratch.main->frontier;
   for (const auto& part : scratch.others) {
     pairs += part->found.pairs.size();
     intersections += part->found.intersections.size();
@@ -43,16 +43,16 @@ void share_growth(SearchScratch& scratch) {
 
 void find_on_threads(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch, int threads) {
   scratch.counts = {};
-  Collector<OfTwoMeshes> collect(a, b, scratch.main);
+  Collector<OfTwoMeshes> collect(a, b, *scratch.main);
   if (!overlap(a.box(), b.box())) return;
   const MeshWalk walk(a, b);
   const auto parts = static_cast<std::size_t>(thread_count(threads));
-  walk->start(scratch.main.frontier, WideWalk::largest_batch);
-  walk->spread(scratch.main.frontier, SharedEntries::wanted_per_thread * parts, collect);
+  walk->start(scratch.main->frontier, WideWalk::largest_batch);
+  walk->spread(scratch.main->frontier, SharedEntries::wanted_per_thread * parts, collect);
   prepare_parts(scratch, parts);
-  SharedEntries entries(scratch.main.frontier);
+  SharedEntries entries(scratch.main->frontier);
   parallel_for(parts, threads, [&](std::size_t i) { run_part(a, b, walk, entries, *scratch.others[i]); });
-  scratch.counts = scratch.main.frontier.counts;
+  scratch.counts = scratch.main->frontier.counts;
   for (std::size_t i = 0; i < parts; ++i) {
     scratch.counts.volume_tests += scratch.others[i]->frontier.counts.volume_tests;
     scratch.counts.items += scratch.others[i]->frontier.counts.items;

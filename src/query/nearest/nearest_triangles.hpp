@@ -74,7 +74,7 @@ class WorldTriangles {
 class PairDistances {
  public:
   PairDistances(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch)
-      : a_(a), b_(b), block_(scratch.main.blocks[0]) {}
+      : a_(a), b_(b), block_(scratch.main->blocks[0]) {}
 
   /// Calls `see(candidate)` for all of the pairs, in their order, until it returns false.
   template <class See>
