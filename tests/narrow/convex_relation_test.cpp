@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -157,18 +159,26 @@ TEST(ConvexRelation, AtTheEndsOfTheRange) {
   }
 }
 
-/// Whether all vertices of A are within the hull of B's world vertices, exactly.
-bool lies_within(const PosedPolytope& a, const PosedPolytope& b) {
+/// The greatest sign of a height of A's vertices above a face of the hull of B's world vertices, exactly: A lies within
+/// where it is not positive.
+Sign highest_above(const PosedPolytope& a, const PosedPolytope& b) {
   std::vector<Vec3> corners;
   for (Index i = 0; i < b.vertex_count(); ++i) corners.push_back(b.vertex(i));
   const ConvexHull hull(corners);
   const HullTopology t = hull.topology();
+  Sign highest = Sign::negative;
   for (Index f = 0; f < t.face_count(); ++f) {
     const auto corner = [&](Index k) { return hull.vertex(t.origin[t.face_start[f] + k]); };
     for (Index i = 0; i < a.vertex_count(); ++i)
-      if (orient3d(corner(0), corner(1), corner(2), a.vertex(i)) == Sign::positive) return false;
+      highest = std::max(highest, orient3d(corner(0), corner(1), corner(2), a.vertex(i)));
   }
-  return true;
+  return highest;
+}
+
+const ConvexHull& block() {
+  static const ConvexHull hull(std::vector<Vec3>{
+      {-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
+  return hull;
 }
 
 // Far from the origin the corners of a face are rounded off its plane by far more than a product of small differences
@@ -176,25 +186,50 @@ bool lies_within(const PosedPolytope& a, const PosedPolytope& b) {
 TEST(ConvexRelation, WithinAFaceThatRoundingHasBentIsToldExactly) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> number(-1, 1);
-  const ConvexHull block(std::vector<Vec3>{
-      {-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
-  int within = 0, not_within = 0;
+  std::array<int, 2> counts{};
   for (int i = 0; i < 1000; ++i) {
-    const Pose pose{rotation_about({number(random), number(random), number(random)}, 180 * number(random)),
-                    {1e6 * number(random), 1e6, 1e6 * number(random)}};
+    Pose pose{rotation_about({number(random), number(random), number(random)}, 180 * number(random)),
+              {1e6 * number(random), 1e6, 1e6 * number(random)}};
+    if (i % 4 == 3) pose.linear = pose.linear * Mat3{{Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+    if (i % 4 == 2) pose.linear = pose.linear * Mat3{{Vec3{1, 0.5, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 3}}};
     const Vec3 middle = pose * Vec3{},
                peak = pose * Vec3{0.6 * number(random), 0.6 * number(random), 1 - 2e-10 * number(random)};
-    const ConvexHull spike(
-        std::vector<Vec3>{peak, middle, middle + Vec3{0.1, 0, 0}, middle + Vec3{0, 0.1, 0}, middle + Vec3{0, 0, 0.1}});
-    const PosedPolytope a{spike};
-    for (const PosedPolytope& b : {PosedPolytope{block, pose}, PosedPolytope{Box({1, 1, 1}), pose}}) {
-      const bool is_within = lies_within(a, b);
-      EXPECT_EQ(relation(a, b).containment == Containment::a_in_b, is_within) << i;
-      ++(is_within ? within : not_within);
+    const Vec3 x = middle + Vec3{0.1, 0, 0}, y = middle + Vec3{0, 0.1, 0}, z = middle + Vec3{0, 0, 0.1};
+    const ConvexHull spike(std::vector<Vec3>{peak, middle, x, y, z});
+    const PosedPolytope a{spike}, surface{Triangle{peak, x, y}};
+    for (const PosedPolytope& b : {PosedPolytope{block(), pose}, PosedPolytope{Box({1, 1, 1}), pose}}) {
+      const Sign highest = highest_above(a, b);
+      EXPECT_EQ(relation(a, b).containment == Containment::a_in_b, highest != Sign::positive) << i;
+      EXPECT_EQ(relation(surface, b).containment == Containment::a_in_b, highest == Sign::negative) << i;
+      ++counts[highest == Sign::positive ? 1 : 0];
     }
   }
-  EXPECT_GT(within, 100);
-  EXPECT_GT(not_within, 100);
+  EXPECT_GT(counts[0], 100);
+  EXPECT_GT(counts[1], 100);
+}
+
+TEST(ConvexRelation, OfAGrownShapeDeepInAnother) {
+  const Pose pose{rotation_about({1, 2, 3}, 40), {1e3, 0, 0}};
+  const PosedPolytope sharp{block(), pose}, round{Rounded(block(), 0.125), pose};
+  for (const auto& [outer, reach] : {std::pair(sharp, 1.0), std::pair(round, 1.125)})
+    for (const double radius : {0.25, 0.5, 0.875, reach - 1e-9, reach + 1e-9})
+      expect(ball_at({1e3, 0, 0}, radius), outer, RelationKind::overlapping,
+             radius < reach ? Containment::a_in_b : Containment::none);
+}
+
+TEST(ConvexRelation, OfHullsOfManyVerticesThatAreLong) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> number;
+  std::vector<Vec3> points, smaller;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 v{number(random), number(random), number(random)};
+    const Vec3 on_ball = (1 / length(v)) * v;
+    points.push_back({10 * on_ball.x, on_ball.y, on_ball.z});
+    smaller.push_back(0.9 * points.back());
+  }
+  const ConvexHull hull(points), within(smaller);
+  expect(PosedPolytope{within}, PosedPolytope{hull}, RelationKind::overlapping, Containment::a_in_b);
+  expect(PosedPolytope{within, Pose::translation(1.2, 0, 0)}, PosedPolytope{hull}, RelationKind::overlapping);
 }
 
 TEST(ConvexRelation, CountsAQuestionOnce) {
@@ -213,6 +248,9 @@ TEST(ConvexRelation, OfGrownShapesThatMeetDeeplyNeedsNoExactArithmetic) {
   const PosedPolytope box = box_at({}), rounded{Rounded(Box({1, 1, 1}), 0.25)};
   for (const double depth : {1.0, 1e-3, 1e-9}) {
     SimplexCache workspace;
+    static_cast<void>(
+        relation(PosedPolytope{block()}, PosedPolytope{block(), Pose::rotation({1, 2, 3}, 40)}, &workspace));
+    workspace.counts = {};
     const auto is_deep = [&](const PosedPolytope& a, const PosedPolytope& b) {
       const Relation answer = relation(a, b, &workspace);
       return answer.kind == RelationKind::overlapping && answer.containment == Containment::none;
@@ -222,6 +260,7 @@ TEST(ConvexRelation, OfGrownShapesThatMeetDeeplyNeedsNoExactArithmetic) {
     EXPECT_TRUE(is_deep(capsule_at(0, 0), capsule_at(1 - depth, 1e-5))) << depth;
     EXPECT_TRUE(is_deep(capsule_at(1.5 - depth, 0.1), box)) << depth;
     EXPECT_TRUE(is_deep(rounded, box_at({2.25 - depth, 0.3, 0.2}))) << depth;
+    EXPECT_TRUE(is_deep(rounded, PosedPolytope{Rounded(Box({1, 1, 1}), 0.5), Pose::translation(2.75 - depth, 0, 0)}));
     EXPECT_EQ(workspace.counts.exact, 0U) << depth;
   }
 }

@@ -74,9 +74,10 @@ bool certainly_sticks_out(const SolidSide& a, const SolidSide& b) {
 
 /// Whether A lies within B, so deep that doubles prove it.
 ///
-/// The corners of B are those of a convex polytope H, moved by at most some δ: H is the exact image of the shape under
-/// its pose. What has a ball of radius δ around it within H lies in the hull of the moved corners, which reaches as far
-/// as H in every direction but for δ. So every vertex of A, grown by `more`, has to be that deep behind all facets.
+/// The corners of B are those of a convex polytope H, moved by at most some δ: H is the exact image of a hull under its
+/// pose, and of a box what `RigidBox` tells of it. What has a ball of radius δ around it within H lies in the hull of
+/// the moved corners, which reaches as far as H in every direction but for δ. So every vertex of A, grown by `more`,
+/// has to be that deep behind all facets.
 ///
 /// A facet's plane is known by three of its moved corners p, q, r. Let U be the sum of the magnitudes of the
 /// coordinates of q − p and r − p, X that of v − p for a point v. With the corners of H in place of p, q, r each
@@ -93,7 +94,8 @@ class DeepWithin {
     for (Index i = 0; i < a_.vertex_count(); ++i)
       around_middle_ = std::max(around_middle_, dot(a_.vertex(i) - middle_, a_.vertex(i) - middle_));
     around_middle_ = std::sqrt(around_middle_ + filter::floor);
-    // Of few enough that their sum is rounded by no more than some slacks.
+    // Of so few that rounding moves it by no more than 4 slacks: a wrong side by so little is within `height_of`'s
+    // error.
     const Index step = b_.vertex_count() / 64 + 1, some = (b_.vertex_count() + step - 1) / step;
     for (Index i = 0; i < b_.vertex_count(); i += step) inside_ = inside_ + (1.0 / some) * b_.vertex(i);
   }
@@ -124,7 +126,7 @@ class DeepWithin {
     const Mat3& linear = shape.pose().linear;
     double stretch = 0;
     for (int row = 0; row < 3; ++row) stretch = std::max(stretch, sum_of_magnitudes(linear[row]));
-    // Each of three coordinates meets six roundings of at most 2^-53 of the magnitudes.
+    // Each coordinate meets six roundings of at most 2^-53 of the magnitudes; three make a length.
     return 0x1p-49 * (stretch * shape.stored_extent() + largest_magnitude(shape.pose().offset)) + filter::floor;
   }
 
@@ -143,11 +145,14 @@ class DeepWithin {
     const Filtered inside = height_of(plane, inside_);
     if (!inside.is_positive() && !inside.is_negative()) return false;
     const double outward = inside.is_positive() ? -1 : 1;
+    // All that follows is rounded a few times, and a filter's error is less than a hundredth short of its value's.
     const auto is_deep = [&](const Vec3& point, double reach) {
       const Filtered height = height_of(plane, point);
-      return -outward * height.value > 1.01 * (height.error + (reach + slack_) * most);  // each rounded a few times
+      return -outward * height.value > 1.01 * (height.error + (reach + slack_) * most);
     };
     if (is_deep(middle_, around_middle_ + more_)) return true;
+    constexpr Index few = 8;  // of more vertices for every facet the hull of B's corners is cheaper
+    if (a_.vertex_count() > few) return false;
     for (Index i = 0; i < a_.vertex_count(); ++i)
       if (!is_deep(a_.vertex(i), more_)) return false;
     return true;
@@ -158,7 +163,7 @@ class DeepWithin {
   Vec3 middle_;               ///< of A
   double around_middle_ = 0;  ///< no vertex of A is farther from it, but for rounding
   Vec3 inside_;               ///< of B: the mean of some corners
-  double slack_;              ///< δ
+  double slack_;              ///< δ, a length
   double more_;
 };
 

@@ -47,9 +47,7 @@ class RelationQuestion {
     if ((is_grown || (a_.solid() && b_.solid())) && nearness_by_formula(a_, b_) == Nearness::meet) return true;
     const VertexPairs simplex = cached_simplex(workspace_, a_, b_);
     if (is_grown) {
-      const CoreDistanceOrder order = simplex.size > 0
-                                          ? compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex)
-                                          : compare_core_distance(a_, b_, a_.radius(), b_.radius(), {});
+      const CoreDistanceOrder order = compare_core_distance_at(a_, b_, a_.radius(), b_.radius(), simplex);
       by_exact_ = by_exact_ || order.by_exact;
       return order.sign == Sign::negative;
     }

@@ -69,7 +69,7 @@ CoreDistanceOrder compare_core_distance(const PosedPolytope& a, const PosedPolyt
 CoreDistanceOrder compare_core_distance_at(const PosedPolytope& a, const PosedPolytope& b, double x, double y,
                                            const VertexPairs& simplex) {
   if (const auto sign = certain_order(a, b, x, y, simplex)) return {*sign, false, simplex};
-  return exact_order(a, b, x, y, simplex);
+  return compare_core_distance(a, b, x, y, simplex);
 }
 
 }  // namespace toccata

@@ -18,7 +18,8 @@ struct CoreDistanceOrder {
 [[nodiscard]] CoreDistanceOrder compare_core_distance(const PosedPolytope& a, const PosedPolytope& b, double x,
                                                       double y, const VertexPairs& start);
 
-/// The same, but without a search in doubles: `simplex` is where one has ended.
+/// The same, without a search where `simplex` proves it: mostly one has ended there. It may be empty, or of other
+/// shapes.
 [[nodiscard]] CoreDistanceOrder compare_core_distance_at(const PosedPolytope& a, const PosedPolytope& b, double x,
                                                          double y, const VertexPairs& simplex);
 
