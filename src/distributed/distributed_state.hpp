@@ -291,6 +291,7 @@ class DistributedWorld::State {
   ModelStore models_;
   SpaceOfRanks space_;
   std::vector<Copy> copies_;
+  std::optional<Aabb> box_of_here_;  ///< around the bodies that live here, from the first question to the next step
   std::unordered_map<GlobalId, BodyId> local_;
   std::unordered_map<GlobalId, int> registered_;  ///< on which ranks those ids were given
   std::map<GlobalId, RulesOfBody> rules_;         ///< of bodies that are here, also with others that are not

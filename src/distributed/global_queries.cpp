@@ -199,9 +199,12 @@ std::vector<Answer> DistributedWorld::State::ask_ranks(std::span<const Question>
 }
 
 std::vector<Aabb> DistributedWorld::State::boxes_of_ranks() {
-  Aabb own;
-  for (const auto& [id, local] : local_)
-    if (copy(local).lives_here) own = merge(own, world_.box(local));
+  if (!box_of_here_) {
+    box_of_here_ = Aabb{};
+    for (const auto& [id, local] : local_)
+      if (copy(local).lives_here) box_of_here_ = merge(*box_of_here_, world_.box(local));
+  }
+  const Aabb& own = *box_of_here_;
   std::vector<double> ends(6 * static_cast<std::size_t>(ranks_.count()), infinity);
   for (int axis = 0; axis < 3; ++axis) {
     double* end = &ends[6 * static_cast<std::size_t>(ranks_.rank()) + 2 * static_cast<std::size_t>(axis)];

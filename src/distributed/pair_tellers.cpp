@@ -261,6 +261,7 @@ void DistributedWorld::State::make_step(WantedChanges& changes, LapClock& clock)
 const DistributedStep& DistributedWorld::State::step() {
   WantedChanges changes = std::exchange(wanted, {});
   require_whole();
+  box_of_here_.reset();
   const std::uint64_t sent_before = ranks_.bytes_sent(), collectives_before = ranks_.collectives();
   const double waited_before = ranks_.seconds_waited();
   LapClock clock;

@@ -43,6 +43,7 @@ void WorldBodies::require_unchanged() const {
 WorldQueries::WorldQueries(const World& world) : ObjectQueries({&world}) { update(); }
 
 void WorldQueries::update() {
+  if (objects_.revision == objects_.world->revision()) return;  // that of a World without bodies is 0, as of no update
   boxes_.update(objects_.world->boxes());
   objects_.revision = objects_.world->revision();
 }

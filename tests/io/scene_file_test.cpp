@@ -8,6 +8,7 @@
 #include <set>
 
 #include "support/error_message.hpp"
+#include "support/temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/generate/scenes.hpp"
@@ -24,13 +25,9 @@ namespace fs = std::filesystem;
 class SceneFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              (std::string("toccata-scene-") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "parts");
     write("parts/plate.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
@@ -50,7 +47,7 @@ class SceneFile : public testing::Test {
     EXPECT_NE(message.find("scene.json"), std::string::npos) << message;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(SceneFile, ObjectsWithFilesAndGenerators) {
@@ -361,7 +358,8 @@ TEST_F(SceneFile, WrongShapesAreSaidWhere) {
 }
 
 TEST_F(SceneFile, WritingDoesNotTouchWhatIsThere) {
-  EXPECT_NE(message_of([&] { write_scene(gear_train(), folder_); }).find("something already"), std::string::npos);
+  EXPECT_NE(message_of([&] { write_scene(gear_train(), folder_.path()); }).find("something already"),
+            std::string::npos);
   Scene twins = gear_train();
   twins.objects[1].name = twins.objects[0].name;
   EXPECT_THROW(write_scene(twins, folder_ / "twins"), Error);

@@ -90,7 +90,7 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
  public:
   explicit WorldQueries(const World& world);
 
-  /// Looks where the bodies are now: takes time as a pass over their boxes does.
+  /// Looks where the bodies are now: takes time as a pass over their boxes does, and none where no body has changed.
   void update();
 
   /// Whether any two bodies have a point in common, whatever their types, groups, margins and rules. Ends with the
