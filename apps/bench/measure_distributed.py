@@ -20,7 +20,7 @@ RUNS = (
     (2, 2_000_000, "--scale --frames 3 --scene clustered"),
     (2, 2_000_000, "--frames 3 --questions 0 --scene uniform"),
     (2, 2_000_000, "--frames 3 --questions 0 --moving 0.01 --scene uniform --scene clustered"),
-    (2, 1_000_000, "--frames 1 --scene uniform --questions 3000"),
+    (2, 1_000_000, "--frames 1 --scene uniform --questions 20000"),
     (2, 20_000, ""),
     (8, 50_000, ""),
     (8, 400_000, "--scale --frames 3 --scene uniform"),
