@@ -6,7 +6,7 @@ tools/proof_constants.json lists them by room (docs/design/proof-constants.md). 
   name      of the constant                      file, text   where it is; the text is there exactly once
   weaker    what the text is replaced by         noticed_by   ROOM:Suite.Test, the witness that must fail then
   reason    or: why no witness can exist         open         or: what is known about a witness that is still missing
-  rebuild   true where the constant is needed while compiling
+  rebuild   true where the constant cannot be chosen at run time
 
 A copy of the sources in build/proofs is built once, in which every constant can be weakened at run time
 (tools/weakened_tree.py); an entry is then two runs of its witness. Where that cannot be, the copy is changed and built
@@ -29,6 +29,7 @@ from weakened_tree import Tree, identifier, with_default_weakening
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIST = ROOT / "tools/proof_constants.json"
+PAGE = ROOT / "docs/design/proof-constants.md"
 STAMPS = ROOT / "build/proofs/noticed"
 OUTCOMES = ("noticed_by", "reason", "open")
 LONGEST_OF_SURVEY = 4.0  # seconds that a test may take
@@ -67,6 +68,18 @@ def check(rows):
     names = [entry["name"] for entry in rows]
     numbers = [identifier(name) for name in names]
     return bad + [f"{name}: has the name, or the number, of another one" for name in names if numbers.count(identifier(name)) > 1]
+
+
+def sentence(count):
+    """What the page says of how many constants there are."""
+    total = sum(count.values())
+    open_rows = "none is" if count["open"] == 0 else f"{count['open']} are"
+    return f"Of the {total} constants {count['noticed_by']} have a witness and {count['reason']} a reason; {open_rows} open."
+
+
+def check_page(wanted):
+    if wanted not in " ".join(PAGE.read_text().split()):
+        yield f"{PAGE.relative_to(ROOT)} has to say: {wanted}"
 
 
 def fingerprint(tree):
@@ -188,17 +201,17 @@ def rooms_of_tests(chosen, is_survey):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("names", nargs="*", metavar="NAME", help="only the constants of this name, or of this room")
-    parser.add_argument("--check", action="store_true", help="only that the list fits the sources")
+    parser.add_argument("--check", action="store_true", help="only that the list fits the sources, and the page the list")
     parser.add_argument("--survey", action="store_true", help="which tests notice each of these constants, or each open one")
     parser.add_argument("--tests-of", nargs="+", metavar="ROOM", help="whose tests a survey runs, otherwise those of the constant's room")
     parser.add_argument("--tree", type=pathlib.Path, default=ROOT / "build/proofs/tree", help="where the changed copy is")
     options = parser.parse_args()
     rows = entries()
-    bad = check(rows)
+    count = {key: sum(key in entry for entry in rows) for key in OUTCOMES}
+    bad = check(rows) + (list(check_page(sentence(count))) if options.check else [])
     if bad:
         print("\n".join(bad))
         return 1
-    count = {key: sum(key in entry for entry in rows) for key in OUTCOMES}
     summary = f"{len(rows)} constants: {count['noticed_by']} with a witness, {count['reason']} with a reason, {count['open']} open"
     if options.check:
         print(summary)
