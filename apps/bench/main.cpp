@@ -212,7 +212,7 @@ void add_decompose(CLI::App& app, DecomposeArguments& arguments) {
 }
 
 void add_self(CLI::App& app, SelfArguments& arguments) {
-  CLI::App* self = app.add_subcommand("self", "where a mesh meets itself: all pairs of its triangles");
+  CLI::App* self = app.add_subcommand("self", "where a mesh intersects itself: all pairs of its triangles");
   add_mesh_file(*self, "--mesh", arguments.mesh)->required();
   add_number(*self, "--rounds", arguments.rounds, "how often it is asked; the fastest counts");
   add_peers(*self, arguments.peers, {"cgal"});

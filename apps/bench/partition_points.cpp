@@ -18,7 +18,7 @@ namespace {
 /// What was made of the mesh.
 struct PointTree {
   const char* name;
-  double build_s = 0;  ///< of the two others with the test that the mesh is closed and does not meet itself
+  double build_s = 0;  ///< of the two others with the test that the mesh is closed and does not intersect itself
   std::size_t nodes = 0;
   double growth = 0;  ///< pieces of a triangle
   std::size_t depth = 0;

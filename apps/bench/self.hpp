@@ -7,7 +7,7 @@
 
 namespace toccata::bench {
 
-/// A library that finds all pairs of triangles in which a mesh meets itself, other than by what neighbours share:
+/// A library that finds all pairs of triangles in which a mesh intersects itself, other than by what neighbours share:
 /// Toccata, or a peer.
 class SelfLibrary {
  public:

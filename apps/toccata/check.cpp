@@ -44,7 +44,7 @@ const std::vector<Refusal>& refusals() {
         "--rules",  "--ignore",      "--between",   "--baseline",       "--sort",          "--fail-on",
         "--junit",  "--sarif",       "--bcf",       "--overlap-bodies", "--stream",        "--stop-after",
         "--volume", "--tolerance",   "--group",     "--precision",      "--time-per-depth"},
-       "--self asks where each object meets itself as a surface, and not about pairs"},
+       "--self asks where each object intersects itself as a surface, and not about pairs"},
       {"--poses",
        {"--clearance", "--clearance-of", "--rules", "--ignore", "--between", "--baseline", "--sort", "--junit",
         "--sarif", "--bcf", "--overlap-bodies", "--stream", "--stop-after", "--volume", "--tolerance", "--group"},

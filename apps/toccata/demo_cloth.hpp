@@ -16,7 +16,7 @@ struct ClothArguments {
 struct ClothAnswer {
   std::string text;
   std::string json;
-  bool is_clean = true;  ///< no frame meets itself or what it lies on
+  bool is_clean = true;  ///< no frame intersects itself or what it lies on
   TriangleMesh cloth;    ///< after the last step
   TriangleMesh obstacles;
 };

@@ -285,7 +285,7 @@ Subcommand add_locate(CLI::App& app) {
   add_json(*locate, arguments->format, "write JSON (docs/reference/locate-report.md)");
   locate->footer(
       with_name("How far points are from a surface, closed or not, tells `{0} nearest`.\n\n"
-                "Exit code: 0 answered, 2 trouble: no closed mesh, or for the trees one that meets itself.\n\n"
+                "Exit code: 0 answered, 2 trouble: no closed mesh, or for the trees one that intersects itself.\n\n"
                 "Example:\n  {0} locate part.stl --point 0 0 5\n"
                 "  {0} locate part.stl --points points.txt --by msp --json\n  {0} locate part.stl --by bsp"));
   return {locate, [arguments, locate] {

@@ -62,7 +62,7 @@ class HeldDeforming {
       const std::lock_guard guard(*mutex_);
       return ask(std::as_const(mesh_));
     }
-    if (other == this) throw Error("other: it is the same mesh; leave it out to ask how it meets itself");
+    if (other == this) throw Error("other: it is the same mesh; leave it out to ask how it intersects itself");
     const std::scoped_lock guard(*mutex_, *other->mutex_);
     return ask(std::as_const(mesh_), std::as_const(other->mesh_));
   }

@@ -264,16 +264,17 @@ std::string error_of(const TriangleMesh& mesh, const BspOptions& options = {}) {
 }
 
 TEST(BspTree, RefusesWhatIsNoSolidAndSaysWhy) {
-  EXPECT_EQ(error_of(oracle::single_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})),
-            "a BSP tree is made of a closed mesh that does not meet itself, and this one is open: 3 edges are used "
-            "unequally often in the two directions; look at that from vertex 0 to vertex 2");
+  EXPECT_EQ(
+      error_of(oracle::single_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})),
+      "a BSP tree is made of a closed mesh that does not intersect itself, and this one is open: 3 edges are used "
+      "unequally often in the two directions; look at that from vertex 0 to vertex 2");
   const TriangleMesh crossing =
       oracle::joined(test::box_between({0, 0, 0}, {2, 2, 2}), test::box_between({1, 1, 1}, {3, 3, 3}));
   EXPECT_NE(error_of(crossing).find("and this one does: "), std::string::npos);
   const TriangleMesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {2, 1, 0}});
   EXPECT_EQ(error_of(flat), "triangle 0 has no area, so there is no plane of it to make a BSP tree with");
   EXPECT_EQ(test::message_of([] { static_cast<void>(BspTree(Model(Sphere(1)))); }),
-            "a BSP tree is made of a closed mesh that does not meet itself, and the model is no mesh");
+            "a BSP tree is made of a closed mesh that does not intersect itself, and the model is no mesh");
 }
 
 TEST(BspTree, GivesUpWhereItWouldGrowTooMuchAndSaysHowFarItCame) {

@@ -273,7 +273,7 @@ struct NamedReport {
 /// "(undecided: …)", …
 [[nodiscard]] std::string remark_on(const Relation& relation);
 
-/// How an object meets itself.
+/// How an object intersects itself.
 struct ReportedSelf {
   std::size_t triangle_pairs = 0;
   std::size_t face_pairs = 0;

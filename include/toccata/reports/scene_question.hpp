@@ -46,7 +46,7 @@ struct CheckPosesQuestion {
   DepthOptions depth = CheckOptions{}.depth;  ///< of penetrations
 };
 
-/// Where each object meets itself: `check --self`.
+/// Where each object intersects itself: `check --self`.
 struct SelfQuestion {
   static const io::QuestionKind kind;
   bool faces = false;

@@ -11,7 +11,7 @@
 namespace toccata {
 namespace {
 
-constexpr std::string_view purpose = "a BSP tree is made of a closed mesh that does not meet itself";
+constexpr std::string_view purpose = "a BSP tree is made of a closed mesh that does not intersect itself";
 
 void require_closed(const Model& solid) {
   if (solid.closed()) return;

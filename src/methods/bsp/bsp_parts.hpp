@@ -95,7 +95,7 @@ class BspChoice;
 /// Is told each node, and may cut further what is within its plane; what it puts into the pool it takes out again.
 using BspCellVisitor = FunctionRef<void(const CutBspCell&, BspFragments&, BspChoice&)>;
 
-/// The tree of a closed mesh that does not meet itself and has no triangle without area.
+/// The tree of a closed mesh that does not intersect itself and has no triangle without area.
 void build_bsp(BspTree::Parts& parts, const BspOptions& options, BspCellVisitor visit);
 
 /// Throws Error when a tree of so many triangles has come to more fragments than `max_growth` allows.
