@@ -83,10 +83,10 @@ void bind_contacts_of_many(nb::module_& module) {
                     R"(The places at which two meshes meet, the deepest first: a structured array.
 
 One region is one connected part that two solids have in common, or one curve or area in which surfaces meet. The fields
-are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, area, normal (from A
-to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and the unit of
-the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for what is
-no mesh or height field.)",
+are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, curve_count, area,
+normal (from A to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and
+the unit of the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for
+what is no mesh or height field.)",
                     [](const AnyShape& a, const AnyShape& b, const PoseLike& pose_a, const PoseLike& pose_b,
                        Solid solid_a, Solid solid_b) {
                       const PairQuery query = query_of(pose_a, pose_b, solid_a, solid_b);

@@ -72,6 +72,7 @@ struct Region {
   Vec3 lower{}, upper{};
   std::size_t point_count = 0;
   bool closed = false;
+  std::size_t curve_count = 0;
   double area = 0;
   Vec3 normal{};
   double depth_lower = 0, depth_upper = 0;
@@ -88,6 +89,7 @@ struct Described<Region> {
                                      field<Region, &Region::upper>("upper", ""),
                                      field<Region, &Region::point_count>("point_count", ""),
                                      field<Region, &Region::closed>("closed", ""),
+                                     field<Region, &Region::curve_count>("curve_count", ""),
                                      field<Region, &Region::area>("area", ""),
                                      field<Region, &Region::normal>("normal", ""),
                                      field<Region, &Region::depth_lower>("depth_lower", ""),
@@ -101,7 +103,8 @@ inline std::vector<Region> flat(const std::vector<ContactRegion>& regions) {
   for (const ContactRegion& region : regions) {
     const auto depth = region.depth.value_or(ContactRegion::Depth{none, none});
     rows.push_back({region.triangle_pairs, region.face_pairs, region.box.lower, region.box.upper, region.point_count,
-                    region.closed, region.area, region.normal, depth.lower, depth.upper, region.deepest});
+                    region.closed, region.curve_count, region.area, region.normal, depth.lower, depth.upper,
+                    region.deepest});
   }
   return rows;
 }
@@ -113,6 +116,7 @@ inline ContactRegion region_of(const Region& row) {
   region.box = {row.lower, row.upper};
   region.point_count = row.point_count;
   region.closed = row.closed;
+  region.curve_count = row.curve_count;
   region.area = row.area;
   region.normal = row.normal;
   region.deepest = row.deepest;

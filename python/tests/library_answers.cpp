@@ -82,8 +82,8 @@ void ask_about_pairs(const Model& a, const Model& b, const std::vector<Pose>& po
           points.points[5]);
     }
     for (const ContactRegion& r : contact_regions(a, b, query))
-      row("regions", i, r.triangle_pairs, r.face_pairs, r.box.lower, r.box.upper, r.point_count, r.closed, r.area,
-          r.normal, r.depth ? r.depth->lower : 0.0, r.depth ? r.depth->upper : 0.0, r.deepest);
+      row("regions", i, r.triangle_pairs, r.face_pairs, r.box.lower, r.box.upper, r.point_count, r.closed,
+          r.curve_count, r.area, r.normal, r.depth ? r.depth->lower : 0.0, r.depth ? r.depth->upper : 0.0, r.deepest);
     const Pose& next = poses[(i + 1) % poses.size()];
     tell_hit("casts", i, cast_shape(a, poses[i].offset, b, {.pose_b = next}));
     tell_hit("sweeps", i, sweep(a, RigidMotion(poses[i]), b, RigidMotion::between(next, poses[i])));

@@ -205,7 +205,7 @@ def test_pairs_of_meshes(told):
         ours["contacts"] += [[i, *numbers_of(row, CONTACT)] for row in toccata.contacts(knot, bumpy, pose_b=pose)]
         ours["points"] += [[i, *numbers_of(row, "points")] for row in toccata.contacts_with_points(knot, bumpy, pose_b=pose)]
         regions = toccata.contact_regions(knot, bumpy, pose_b=pose)
-        names = "triangle_pairs face_pairs lower upper point_count closed area normal depth_lower depth_upper deepest"
+        names = "triangle_pairs face_pairs lower upper point_count closed curve_count area normal depth_lower depth_upper deepest"
         ours["regions"] += [[i, *numpy.nan_to_num(numbers_of(row, names)).tolist()] for row in regions]
         ours["casts"].append([i, *numbers_of(toccata.cast_shape(knot, pose[:3, 3], bumpy, pose_b=following), HIT)])
         motion = toccata.RigidMotion.between(following, pose)

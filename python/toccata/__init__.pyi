@@ -1199,10 +1199,10 @@ def contact_regions(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None 
     The places at which two meshes meet, the deepest first: a structured array.
 
     One region is one connected part that two solids have in common, or one curve or area in which surfaces meet. The fields
-    are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, area, normal (from A
-    to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and the unit of
-    the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for what is
-    no mesh or height field.
+    are triangle_pairs, face_pairs, lower and upper (the corners of the box around it), point_count, closed, curve_count, area,
+    normal (from A to B), depth_lower and depth_upper (NaN where one is a surface), deepest (the deepest point); in the world and
+    the unit of the coordinates. Only the counts, closed and the bounds of the depth are exact. Raises Error like overlap, and for
+    what is no mesh or height field.
     """
 
 def contact_regions_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:

@@ -125,6 +125,7 @@ Json json_of(const ContactRegion& region) {
           {"lower", json_of(region.box.lower)},
           {"upper", json_of(region.box.upper)},
           {"closed", region.closed},
+          {"curves", region.curve_count},
           {"area", region.area},
           {"normal", json_of(region.normal)},
           {"depth", region.depth ? Json(region.depth->lower) : Json()},

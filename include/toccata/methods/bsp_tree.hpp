@@ -72,8 +72,8 @@ struct BspTrace {
 /// of threads may ask.
 class BspTree {
  public:
-  /// Throws Error when the model is no mesh, the mesh is open, intersects itself, or has a triangle without area, naming
-  /// them; for options out of their range; and when cutting makes more fragments than `max_growth` allows.
+  /// Throws Error when the model is no mesh, the mesh is open, intersects itself, or has a triangle without area,
+  /// naming them; for options out of their range; and when cutting makes more fragments than `max_growth` allows.
   explicit BspTree(const Model& solid, const BspOptions& options = {});
 
   /// The same answer as `locate` of the model, exact: a few comparisons for each level of the tree. Throws Error when
