@@ -16,9 +16,9 @@
 #include "narrow/convex/contact_choices.hpp"
 #include "narrow/primitives/core_features.hpp"
 #include "narrow/primitives/nearness.hpp"
+#include "narrow/primitives/offset_cores.hpp"
 #include "narrow/primitives/pair_depths.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "narrow/triangles/offset_cores.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {

@@ -11,9 +11,9 @@
 #include "narrow/boxes/rigid_poses.hpp"
 #include "narrow/convex/convex_of.hpp"
 #include "narrow/primitives/offset_core_pair.hpp"
+#include "narrow/primitives/offset_cores.hpp"
 #include "narrow/primitives/pair_depths.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/one_lane.hpp"
 #include "toccata/narrow/primitives.hpp"
 

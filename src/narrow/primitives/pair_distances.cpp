@@ -5,8 +5,8 @@
 #include <hwy/highway.h>
 
 #include "narrow/primitives/column_lanes.hpp"
+#include "narrow/primitives/offset_cores.hpp"
 #include "narrow/primitives/pair_distances.hpp"
-#include "narrow/triangles/offset_cores.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {

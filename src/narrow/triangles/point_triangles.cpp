@@ -4,8 +4,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "narrow/primitives/offset_cores.hpp"
 #include "narrow/triangles/least_difference.hpp"
-#include "narrow/triangles/offset_cores.hpp"
 #include "narrow/triangles/point_triangles.hpp"
 #include "narrow/triangles/triangle_gap_rounding.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "narrow/triangles/near_points.hpp"
+#include "narrow/primitives/near_points.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace toccata {
