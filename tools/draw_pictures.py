@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws docs/pictures/*.png with `toccata view --png` and *.svg with `toccata plot`: what the pages about the methods show.
+"""Draws docs/pictures/*.png with `--png` of `toccata view` and other subcommands, and *.svg with `toccata plot`: what the pages about the methods show.
 
 usage: draw_pictures.py TOCCATA [NAME…]     all of them, or those named
 
@@ -13,6 +13,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from plant import write_plant
 
 PICTURES = pathlib.Path(__file__).resolve().parent.parent / "docs/pictures"
 SIZE = "760x480"
@@ -170,6 +172,9 @@ WALKS = {"walk": (HALL, HALL_WALK, "moment=24&camera=0,0,0.1,2.3,-1.9,0.7&grid=0
 # The cloth of the demo as it lies at last: how it is shown.
 CLOTHS = {"cloth": "grid=0&finding=0&camera=0.05,0,-0.06,0.5,2.3,0.3"}
 
+# Checks: words of the command, and how the page is shown.
+CHECKS = {"plant": ("plant.json --touching ignore --penetration", "finding=0&grid=0&card=0&off=depth,normal&camera=0.03,-0.18,0.17,1.6,-0.95,0.42")}
+
 # Reports beside the pictures that are drawn of them.
 PLOTS = ["cost"]
 
@@ -199,6 +204,9 @@ def asked_for(command, picture, folder):
     if picture in CROWDS:
         words, look = CROWDS[picture]
         return ["crowd", *words.split()], look
+    if picture in CHECKS:
+        words, look = CHECKS[picture]
+        return ["check", *words.split()], look
     if picture in SWEEPS:
         files, options, look = SWEEPS[picture]
         return ["sweep", *(word for i, shown in enumerate(files) for word in words_for([shown] if isinstance(shown, str) else shown, f"{picture}-{i}", folder)), *options], look
@@ -227,11 +235,12 @@ def draw_plot(command, picture, folder):
 
 
 def main():
-    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *SWEEPS, *WALKS, *CLOTHS, *PLOTS]
+    command, names = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*WANTED, *CROWDS, *SUMS, *PARTS, *SWEEPS, *WALKS, *CLOTHS, *CHECKS, *PLOTS]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run([command, "demo", "--write", "scenes"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         write_cage(command, folder)
+        write_plant(folder)
         for picture in names:
             if picture == "levels-bunny" and not pathlib.Path(BUNNY).exists():
                 print("levels-bunny: left out, as TOCCATA_DATA names no folder with meshes/stanford-bunny.obj")

@@ -1,142 +1,91 @@
 #!/usr/bin/env python3
-"""Measures `check` of an assembly: a rack of bent pipes, layer across layer, each of which is pressed a little into every
-pipe of the layer below. How long all clashes take with their depths, regions and volumes, and when the first is told.
+"""Measures `check` of an assembly: a rack of bent pipes, layer across layer, each of which is pressed into every pipe of the layer below.
+How long all clashes take with their depths, regions and volumes, when the first is told, and how much memory that is at the most.
 
-usage: measure_clashes.py TOCCATA [--layers 62] [--pipes 8] [--around 50] [--along 100] [--threads N] [--peer ifcclash]
-                          [--folder FOLDER] [--json]
+usage: measure_clashes.py TOCCATA [--family shallow|mixed] [--layers 64] [--pipes 8] [--around 50] [--along 100] [--threads N]
+                          [--peer ifcclash] [--peer-limit 900] [--python PYTHON] [--json] [--evidence FILE]
 
-With --peer ifcclash the same parts are written as IFC, and IfcClash (PyPI: pip install ifcclash) looks for intersections;
-it has to be installed for the Python that runs this. Processor seconds are those of all threads together, user and system.
-Exits with 1 where Toccata does not tell the clashes that there are by construction, 2 for trouble.
+In `shallow` every clash is a tenth of a pipe deep; in `mixed` pipes of every fourth layer go through those of the layer below. With --peer
+IfcClash (PyPI: pip install ifcclash) looks for intersections of the same parts written as IFC: of three layers, and of the most that it
+will do within the limit by that, up to all; Toccata is measured beside it, and both are compared with the clashes that there are.
+Processor seconds are those of all threads together, user and system. Exits with 1 where Toccata does not tell the clashes that there are, each
+with brackets of its depth at the place, of its depth as a whole and of its volume; 2 for trouble.
 """
 import argparse
+import dataclasses
+import importlib.metadata
 import json
-import math
 import pathlib
-import random
 import resource
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 
-RADIUS = 0.3
-SPACING = 0.54  # of layers: what is nominally 0.06 deep, and by how the pipes are bent from 0.01 to 0.11
+from evidence import what_was_run, write_evidence
+from racks import MIXED, SHALLOW, UNEVEN, Rack, write_ifc, write_meshes
 
-
-def pipe_points(layer, number, sizes, chance):
-    """Vertices ring by ring and then the middle of each end; layers lie across each other in turns."""
-    bend, wave, height = chance.uniform(0, 7), chance.uniform(0, 7), layer * SPACING
-    for j in range(sizes.along + 1):
-        t = j / sizes.along
-        x, y = (t - 0.5) * sizes.pipes, number - (sizes.pipes - 1) / 2 + 0.02 * math.sin(9 * t + bend)
-        z = height + 0.02 * math.sin(7 * t + wave)
-        for i in range(sizes.around):
-            angle = 2 * math.pi * (i + 0.5 * (j % 2)) / sizes.around
-            radius = RADIUS * (1 + 0.01 * math.sin(5 * angle + 40 * t))
-            yield x, y + radius * math.cos(angle), z + radius * math.sin(angle)
-    for end in (-0.5, 0.5):
-        t = end + 0.5
-        yield end * sizes.pipes, number - (sizes.pipes - 1) / 2 + 0.02 * math.sin(9 * t + bend), height + 0.02 * math.sin(7 * t + wave)
-
-
-def pipe_vertices(layer, number, sizes, chance):
-    points = list(pipe_points(layer, number, sizes, chance))
-    return points if layer % 2 == 0 else [(-y, x, z) for x, y, z in points]
-
-
-def pipe_triangles(sizes):
-    around, along = sizes.around, sizes.along
-    first, last = around * (along + 1), around * (along + 1) + 1
-    for j in range(along):
-        for i in range(around):
-            a, b = j * around + i, j * around + (i + 1) % around
-            c, d = a + around, b + around
-            yield from ((a, b, c), (b, d, c)) if j % 2 == 0 else ((a, d, c), (a, b, d))
-    for i in range(around):
-        yield first, (i + 1) % around, i
-        yield last, along * around + i, along * around + (i + 1) % around
-
-
-def all_pipes(sizes):
-    chance = random.Random(1)
-    for layer in range(sizes.layers):
-        for number in range(sizes.pipes):
-            yield f"pipe-{layer:02}-{number}", pipe_vertices(layer, number, sizes, chance)
-
-
-def clashes_there_are(sizes):
-    return {(f"pipe-{layer:02}-{i}", f"pipe-{layer + 1:02}-{k}") for layer in range(sizes.layers - 1) for i in range(sizes.pipes) for k in range(sizes.pipes)}
-
-
-def write_meshes(folder, sizes):
-    """Binary PLY files of doubles."""
-    triangles = list(pipe_triangles(sizes))
-    faces = b"".join(struct.pack("<B3i", 3, *triangle) for triangle in triangles)
-    for name, points in all_pipes(sizes):
-        header = ("ply\nformat binary_little_endian 1.0\n" f"element vertex {len(points)}\n" + "".join(f"property double {axis}\n" for axis in "xyz")
-                  + f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
-        numbers = struct.pack(f"<{3 * len(points)}d", *(x for point in points for x in point))
-        (folder / f"{name}.ply").write_bytes(header.encode() + numbers + faces)
-
-
-def guid(number):
-    """A GlobalId of IFC: 22 digits to the base of 64."""
-    digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$"
-    text = ""
-    for _ in range(22):
-        number, digit = divmod(number, 64)
-        text = digits[digit] + text
-    return text
-
-
-IFC_HEAD = """ISO-10303-21;
-HEADER;FILE_DESCRIPTION((''),'2;1');FILE_NAME('','',(''),(''),'','','');FILE_SCHEMA(('IFC4'));ENDSEC;
-DATA;
-#1=IFCCARTESIANPOINT((0.,0.,0.));
-#2=IFCAXIS2PLACEMENT3D(#1,$,$);
-#3=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-9,#2,$);
-#4=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);
-#5=IFCUNITASSIGNMENT((#4));
-#6=IFCPROJECT('%s',$,'rack',$,$,$,$,(#3),#5);
-#7=IFCLOCALPLACEMENT($,#2);
-"""
-
-
-def write_ifc(file, sizes):
-    faces = ",".join("(%d,%d,%d)" % tuple(corner + 1 for corner in triangle) for triangle in pipe_triangles(sizes))
-    with open(file, "w", encoding="ascii") as ifc:
-        ifc.write(IFC_HEAD % guid(1))
-        for number, (name, points) in enumerate(all_pipes(sizes)):
-            line = 10 + 5 * number
-            corners = ",".join("(%r,%r,%r)" % tuple(x + 0.0 for x in point) for point in points)
-            ifc.write(f"#{line}=IFCCARTESIANPOINTLIST3D(({corners}));\n#{line + 1}=IFCTRIANGULATEDFACESET(#{line},$,.T.,({faces}),$);\n"
-                      f"#{line + 2}=IFCSHAPEREPRESENTATION(#3,'Body','Tessellation',(#{line + 1}));\n#{line + 3}=IFCPRODUCTDEFINITIONSHAPE($,$,(#{line + 2}));\n"
-                      f"#{line + 4}=IFCBUILDINGELEMENTPROXY('{guid(number + 2)}',$,'{name}',$,$,#7,#{line + 3},$,$);\n")
-        ifc.write("ENDSEC;\nEND-ISO-10303-21;\n")
+FAMILIES = {"shallow": SHALLOW, "mixed": MIXED}
+SIZES = {"layers": 64, "pipes": 8, "around": 50, "along": 100, "threads": 0}
+# What is asked of a rack of so many parts, triangles and clashes at least.
+LARGE = {"parts": 500, "triangles": 5_000_000, "clashes": 4_000}
+MOST_SECONDS, MOST_UNTIL_FIRST = 60, 10
+PEER_PROBE_LAYERS = 3
+SHARE_OF_LIMIT = 0.75  # as the peer takes a little longer for each part where there are more
+DIFFERENCES_TOLD = 10
 
 
 def processor_seconds():
+    """Of all processes that were started and have ended."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
-def measured_check(command, folder, threads):
+def peak_megabytes(process):
+    """The most memory that a process has had until now; none where the system does not tell it."""
+    try:
+        lines = pathlib.Path(f"/proc/{process}/status").read_text(encoding="ascii", errors="replace").splitlines()
+    except OSError:
+        return None
+    return next((round(int(line.split()[1]) / 1e3) for line in lines if line.startswith("VmHWM:")), None)
+
+
+def has_right_brackets(pair, depth):
+    """That of the depth as a whole holds what it is by construction; one of each region, and one of the volume, are there."""
+    whole, volume, regions = pair["penetration"], pair["volume"], pair["regions"]
+    is_right = whole is not None and whole["lower"] <= depth + UNEVEN and whole["upper"] >= depth - UNEVEN
+    is_local = bool(regions) and all(region["depth"] is not None and region["depth"] <= region["depth_upper"] for region in regions)
+    return is_right and is_local and volume is not None and 0 < volume["lower"] <= volume["upper"]
+
+
+def compared(found, expected):
+    """What a set of pairs lacks and has besides."""
+    missing, invented = sorted(expected - found), sorted(found - expected)
+    return {"pairs": len(found), "missing": len(missing), "invented": len(invented), "differences": (missing + invented)[:DIFFERENCES_TOLD]}
+
+
+def rounded(figures):
+    return {name: number and round(number, 4) for name, number in figures.items()}
+
+
+def measured_check(command, folder, threads, depths):
     words = [command, "check", str(folder), "--penetration", "--volume", "--stream", *(["--threads", str(threads)] if threads else [])]
-    before, started, first, pairs, depths = processor_seconds(), time.monotonic(), None, set(), []
+    before, started, first, memory, pairs = processor_seconds(), time.monotonic(), None, None, {}
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         for line in process.stdout:
+            memory = peak_megabytes(process.pid) or memory
             told = json.loads(line)
             if "relation" not in told:
                 continue
-            first = first if first is not None else time.monotonic() - started
-            pairs.add((told["a"], told["b"]))
-            depths.append((told["penetration"]["lower"], told["penetration"]["upper"], told["volume"]["upper"], len(told["regions"])))
+            first = first or time.monotonic() - started
+            pairs[told["a"], told["b"]] = told
+    seconds = time.monotonic() - started
     if process.returncode not in (0, 1):
         raise RuntimeError(f"check ended with {process.returncode}")
-    return {"library": "toccata", "seconds": time.monotonic() - started, "first_result_s": first, "processor_s": processor_seconds() - before,
-            "pairs": pairs, "regions": sum(row[3] for row in depths), "widest": max((row[1] / row[0] for row in depths if row[0] > 0), default=None)}
+    wrong = sum(not has_right_brackets(pairs[pair], depth) for pair, depth in depths.items() if pair in pairs)
+    widths = [pair["penetration"]["upper"] / pair["penetration"]["lower"] - 1 for pair in pairs.values() if pair["penetration"] and pair["penetration"]["lower"] > 0]
+    return {**rounded({"seconds": seconds, "first_result_s": first, "processor_s": processor_seconds() - before}), "peak_mb": memory,
+            **compared(set(pairs), set(depths)), "wrong_brackets": wrong, **rounded({"widest_depth_bracket": max(widths, default=None)})}
 
 
 def ifc_clash(file):
@@ -150,64 +99,135 @@ def ifc_clash(file):
     clasher = ifcclash.Clasher(settings)
     clasher.clash_sets = [{"name": "rack", "a": [{"file": file}], "mode": "intersection", "tolerance": 0.0, "check_all": False}]
     clasher.clash()
-    clashes = clasher.clash_sets[0]["clashes"].values()
-    print(json.dumps(sorted({tuple(sorted((clash["a_name"], clash["b_name"]))) for clash in clashes})))
+    pairs = sorted({tuple(sorted((clash["a_name"], clash["b_name"]))) for clash in clasher.clash_sets[0]["clashes"].values()})
+    versions = {name: importlib.metadata.version(name) for name in ("ifcclash", "ifcopenshell")}
+    print(json.dumps({"pairs": pairs, "peak_mb": peak_megabytes("self"), "versions": versions}))
 
 
-def measured_ifc_clash(file):
+def measured_ifc_clash(python, file, limit, depths):
+    """Only the reason where it does not end well, within so many seconds."""
     before, started = processor_seconds(), time.monotonic()
-    run = subprocess.run([sys.executable, __file__, "--ifc-clash", str(file)], capture_output=True, text=True)
+    try:
+        run = subprocess.run([python, __file__, "--ifc-clash", str(file)], capture_output=True, text=True, timeout=limit, check=False)
+    except subprocess.TimeoutExpired:
+        return {"ended": f"not within {limit:g} s"}
     if run.returncode != 0:
-        raise RuntimeError("IfcClash: " + (run.stderr.strip().splitlines() or ["it says nothing"])[-1])
-    return {"library": "ifcclash", "seconds": time.monotonic() - started, "first_result_s": None, "processor_s": processor_seconds() - before,
-            "pairs": {tuple(pair) for pair in json.loads(run.stdout.splitlines()[-1])}}
+        return {"ended": f"{run.returncode}: " + (run.stderr.strip().splitlines() or ["it says nothing"])[-1]}
+    told = json.loads(run.stdout.splitlines()[-1])
+    return {**rounded({"seconds": time.monotonic() - started, "processor_s": processor_seconds() - before}), "peak_mb": told["peak_mb"],
+            **compared({tuple(pair) for pair in told["pairs"]}, set(depths)), "versions": told["versions"]}
 
 
-def told(row, expected, first):
-    row = dict(row, missing=len(expected - row["pairs"]), invented=len(row["pairs"] - expected), ratio=row["processor_s"] / first["processor_s"])
-    return dict(row, pairs=len(row["pairs"]))
+def scene_of(rack):
+    return {"parts": rack.parts(), "triangles": rack.triangles(), "clashes": len(rack.depths())}
+
+
+def measured_rack(options, rack):
+    with tempfile.TemporaryDirectory() as folder:
+        write_meshes(pathlib.Path(folder), rack)
+        measured = {**scene_of(rack), "toccata": measured_check(options.command, folder, options.threads, rack.depths())}
+    if all(measured[what] >= least for what, least in LARGE.items()):
+        ours = measured["toccata"]
+        measured[f"at most {MOST_SECONDS} s, the first after at most {MOST_UNTIL_FIRST}"] = ours["seconds"] <= MOST_SECONDS and ours["first_result_s"] <= MOST_UNTIL_FIRST
+    return measured
+
+
+def beside_peer(options, rack):
+    """One rack, taken by both."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "rack.ifc"
+        write_ifc(file, rack)
+        theirs = measured_ifc_clash(options.python, file, options.peer_limit, rack.depths())
+    measured = {**measured_rack(options, rack), "ifcclash": theirs}
+    if "ended" not in theirs:
+        measured["processor time of IfcClash to Toccata's"] = round(theirs["processor_s"] / measured["toccata"]["processor_s"], 1)
+    return measured
+
+
+def all_beside_peer(options, rack):
+    """Of a few layers, and of the most that the peer will do within its limit by that; of half as many where it does not."""
+    layers = min(PEER_PROBE_LAYERS, rack.layers)
+    runs = [beside_peer(options, dataclasses.replace(rack, layers=layers))]
+    if "ended" in runs[0]["ifcclash"]:
+        raise RuntimeError("IfcClash ended " + runs[0]["ifcclash"]["ended"])
+    most = min(rack.layers, int(layers * SHARE_OF_LIMIT * options.peer_limit / runs[0]["ifcclash"]["seconds"]))
+    while most > layers:
+        runs.append(beside_peer(options, dataclasses.replace(rack, layers=most)))
+        if "ended" not in runs[-1]["ifcclash"]:
+            break
+        most //= 2
+    return runs
+
+
+def rows_of(family, measured):
+    """What a person reads."""
+    yield "{}: {parts} parts, {triangles:,} triangles, {clashes:,} clashes".format(family, **measured)
+    for library in ("toccata", "ifcclash"):
+        row = measured.get(library)
+        if row is None:
+            continue
+        if "ended" in row:
+            yield f"  {library:<9} ended: {row['ended']}"
+            continue
+        first = f", the first after {row['first_result_s']:.2f} s" if row.get("first_result_s") else ""
+        brackets = f", {row['wrong_brackets']} without right brackets" if "wrong_brackets" in row else ""
+        yield (f"  {library:<9} {row['seconds']:8.2f} s{first}, processor {row['processor_s']:.2f} s, at most {row['peak_mb']} MB; "
+               f"{row['pairs']:,} pairs, {row['missing']} missing, {row['invented']} invented{brackets}")
+
+
+def is_right(measured):
+    ours = measured["toccata"]
+    return ours["missing"] + ours["invented"] + ours["wrong_brackets"] == 0
+
+
+def words_of(options):
+    sizes = [word for name in SIZES for word in (f"--{name}", str(getattr(options, name)))]
+    family = ["--family", options.family] if options.family else []
+    peer = ["--peer", options.peer, "--peer-limit", f"{options.peer_limit:g}"] if options.peer else []
+    return ["bench", "clashes", *sizes, *family, *peer]
 
 
 def parsed():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
-    parser.add_argument("command", help="the program toccata")
-    for name, standard in (("layers", 62), ("pipes", 8), ("around", 50), ("along", 100), ("threads", 0)):
-        parser.add_argument(f"--{name}", type=int, default=standard)
-    parser.add_argument("--peer", choices=["ifcclash"])
-    parser.add_argument("--folder", type=pathlib.Path)
-    parser.add_argument("--json", action="store_true")
-    arguments = parser.parse_args()
-    if arguments.layers < 2 or arguments.pipes < 1 or arguments.around < 8 or arguments.along < 8:
-        parser.error("a rack has 2 layers or more, and a pipe 8 sides and rings or more")
-    return arguments
+    parser = argparse.ArgumentParser(prog="toccata bench clashes", description="How long check takes for a large assembly with many clashes.")
+    parser.add_argument("command", help=argparse.SUPPRESS)
+    parser.add_argument("--family", choices=list(FAMILIES), help="this one alone")
+    for name, standard in SIZES.items():
+        parser.add_argument(f"--{name}", type=int, default=standard, help=f"({standard})" if standard else "(as many as there are processors)")
+    parser.add_argument("--peer", choices=["ifcclash"], help="measure it beside Toccata, of as many layers as it does within its limit")
+    parser.add_argument("--peer-limit", type=float, default=900, metavar="SECONDS", help="(%(default)s)")
+    parser.add_argument("--python", default=sys.executable, help="in which the peer is installed (the one that runs this)")
+    parser.add_argument("--json", action="store_true", help="write JSON")
+    parser.add_argument("--evidence", type=pathlib.Path, metavar="FILE", help="write the JSON there, too")
+    options = parser.parse_args()
+    if not 2 <= options.layers <= 100 or options.pipes < 1 or options.around < 8 or options.along < 8:
+        parser.error("a rack has 2 to 100 layers, and a pipe 8 sides and rings or more")
+    options.command = str(pathlib.Path(options.command).resolve())
+    return options
 
 
 def main():
     if sys.argv[1:2] == ["--ifc-clash"]:
         return ifc_clash(sys.argv[2])
-    sizes = parsed()
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = sizes.folder or pathlib.Path(temporary)
-        meshes = folder / "rack"
-        meshes.mkdir(parents=True, exist_ok=True)
-        write_meshes(meshes, sizes)
-        rows = [measured_check(sizes.command, meshes, sizes.threads)]
-        if sizes.peer:
-            write_ifc(folder / "rack.ifc", sizes)
-            rows.append(measured_ifc_clash(folder / "rack.ifc"))
-    expected = clashes_there_are(sizes)
-    rows = [told(row, expected, rows[0]) for row in rows]
-    scene = {"parts": sizes.layers * sizes.pipes, "triangles": sizes.layers * sizes.pipes * 2 * sizes.around * (sizes.along + 1), "clashes": len(expected)}
-    if sizes.json:
-        print(json.dumps({"benchmark": "clashes", **scene, "results": rows}, indent=1))
-    else:
-        print("{parts} parts, {triangles:,} triangles, {clashes:,} clashes".format(**scene))
-        for row in rows:
-            first = f"{row['first_result_s']:.2f}" if row["first_result_s"] is not None else "-"
-            print(f"  {row['library']:<9} {row['seconds']:8.2f} s, first result after {first} s, processor {row['processor_s']:.2f} s ({row['ratio']:.2f}); "
-                  f"{row['pairs']:,} pairs, {row['missing']} missing, {row['invented']} invented")
-    return 1 if rows[0]["missing"] + rows[0]["invented"] > 0 else 0
+    options = parsed()
+    report = {**what_was_run(words_of(options), options.command), "families": {}}
+    runs = []
+    for family in [options.family] if options.family else FAMILIES:
+        rack = Rack(options.layers, options.pipes, options.around, options.along, FAMILIES[family])
+        report["families"][family] = {**measured_rack(options, rack), **({"beside IfcClash": all_beside_peer(options, rack)} if options.peer else {})}
+        measured = [report["families"][family], *report["families"][family].get("beside IfcClash", [])]
+        runs += measured
+        if not options.json:
+            print("\n".join(row for one in measured for row in rows_of(family, one)), flush=True)
+    if options.json:
+        print(json.dumps(report, indent=1))
+    if options.evidence:
+        write_evidence(options.evidence, report)
+    return 0 if all(map(is_right, runs)) else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except (RuntimeError, OSError) as trouble:
+        print(f"bench clashes: {trouble}", file=sys.stderr)
+        sys.exit(2)

@@ -22,7 +22,7 @@ void save(const CheckInput& input, const SceneQuestion& question, const std::str
 }
 
 SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
-                  const std::string& label) {
+                  const Asking& asking) {
   const Scene& scene = input.loaded.scene;
   AskOptions options{.threads = arguments.threads};
   std::optional<EarlyEnd> end;
@@ -32,9 +32,13 @@ SceneAnswer asked(const CheckInput& input, const SceneQuestion& question, const 
   }
   if (arguments.format == Format::stream) {
     print_answer(stream_head(scene));
-    options.found = [&](const CheckReport& one) { print_answer(pair_line_json(scene, one, 0) + "\n"); };
+    options.keeps_found = !asking.streamed;
+    options.found = [&](const CheckReport& one) {
+      print_answer(pair_line_json(scene, one, 0) + "\n");
+      if (asking.streamed) asking.streamed(one.pairs[0]);
+    };
   }
-  ProgressBar bar(label);
+  ProgressBar bar(asking.label);
   options.progress = bar.callback();
   return ask(scene, input.models, question, options);
 }
@@ -94,11 +98,11 @@ std::string json_as_asked(const CheckInput& input, const SceneQuestion& question
 SceneAnswer ask_for(const CheckInput& input, const SceneQuestion& question, const PosedArguments& arguments,
                     const Asking& asking) {
   const SceneQuestion wanted = asking.is_drawn ? with_faces(question) : question;
-  if (arguments.save_case.empty()) return asked(input, wanted, arguments, asking.label);
+  if (arguments.save_case.empty()) return asked(input, wanted, arguments, asking);
   require_distinct({{"--save-case", arguments.save_case}}, arguments.input.files);
   save(input, question, "", arguments.save_case);  // also tells at once where it cannot be written
   try {
-    SceneAnswer answer = asked(input, wanted, arguments, asking.label);
+    SceneAnswer answer = asked(input, wanted, arguments, asking);
     if (is_unfinished(answer)) return answer;  // which is none that asking again gives
     save(input, question, json_as_asked(input, question, answer), arguments.save_case);
     return answer;

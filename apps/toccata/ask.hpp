@@ -16,6 +16,8 @@ std::string json_as_asked(const CheckInput& input, const SceneQuestion& question
 struct Asking {
   std::string label;      ///< of the progress bar that tells how far it is
   bool is_drawn = false;  ///< the answer lists the faces that meet, whatever the question says
+  /// Sees each pair that --stream writes; the answer has none of them then, so nothing else may need them.
+  std::function<void(const ReportedPair&)> streamed{};
 };
 
 /// Where --save-case says so, the question is in that file before it is asked, so that it is there whatever happens,

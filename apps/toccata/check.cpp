@@ -104,6 +104,16 @@ AlsoWritten exchange_of(const CheckCommand& arguments, bool& was_stopped) {
   };
 }
 
+/// Where nothing but lines is written, pairs are judged as they are, and not kept: memory does not follow them.
+Asking asking_of(const CheckCommand& arguments, bool& is_failing) {
+  Asking asking{"checking", is_drawn(arguments), {}};
+  const bool are_lines_alone =
+      arguments.format == Format::stream && !asking.is_drawn && arguments.exchange.overlap_bodies.empty();
+  if (are_lines_alone)
+    asking.streamed = [&](const ReportedPair& pair) { is_failing = is_failing || is_failure(pair, arguments.fail_on); };
+  return asking;
+}
+
 int run_check(const CheckCommand& arguments, const std::vector<std::string>& asking) {
   require_exchange(arguments);
   bool was_stopped = false;
@@ -138,9 +148,10 @@ int run_check(const CheckCommand& arguments, const std::vector<std::string>& ask
   const DepthOptions depth = depth_options(arguments, left_out);
   warn_at_once(loaded, left_out);
   const CheckQuestion question = question_of(arguments, loaded, input.models, depth);
-  SceneAnswer answer = ask_for(input, question, arguments, {"checking", is_drawn(arguments)});
+  bool is_failing = false;
+  SceneAnswer answer = ask_for(input, question, arguments, asking_of(arguments, is_failing));
   warn_of_unfinished(input.loaded, std::get<CheckReport>(answer));
-  const int code = code_of(std::get<CheckReport>(answer), arguments.fail_on);
+  const int code = std::max(code_of(std::get<CheckReport>(answer), arguments.fail_on), is_failing ? 1 : 0);
   give_answer(question, input, answer, arguments, exchange_of(arguments, was_stopped));
   return was_stopped ? unfinished_code : code;
 }

@@ -26,7 +26,7 @@ std::string stream_head(const Scene& scene) {
 
 std::string stream_end(const CheckInput& input, const CheckReport& report) {
   StreamJson json = {{"complete", report.unfinished == 0},
-                     {"pairs", report.pairs.size()},
+                     {"pairs", report.pairs.size() + report.not_kept},
                      {"candidate_pairs", report.candidate_pairs},
                      {"unfinished", report.unfinished},
                      {"ignored_touching", report.ignored_touching}};

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "support/command.hpp"
@@ -183,6 +184,77 @@ TEST_F(CheckLong, InterruptedItTellsWhatIsDone) {
   EXPECT_GT(found.back()["unfinished"], 0);
   EXPECT_EQ(found.back()["pairs"], found.size() - 2);
   EXPECT_NE(test::text_of(folder.path() / "err").find("stopped as it was interrupted"), std::string::npos);
+}
+
+TEST_F(CheckLong, AStreamCountsWhatItDoesNotKeep) {
+  folder.write("touching.json",
+               R"({"format": "toccata-scene", "version": 1, "objects": [{"name": "a", "generate": "box"},
+                   {"name": "b", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 1,0,0]},
+                   {"name": "c", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 1.5,0,0]}]})");
+  struct Expected {
+    Words words;
+    int code;
+    std::size_t pairs, ignored;
+  };
+  const std::vector<Expected> all = {{{"--touching", "ignore"}, 1, 1, 1},
+                                     {{"--fail-on", "hard"}, 1, 2, 0},
+                                     {{"--fail-on", "hard", "--ignore", "b,c"}, 0, 1, 0},
+                                     {{"--touching", "ignore", "--ignore", "b,c"}, 0, 0, 1}};
+  for (const Expected& expected : all) {
+    for (const Words& also : {Words{}, Words{"--junit", "found.xml"}}) {  // which needs the pairs later
+      Words words{"check", "touching.json", "--stream"};
+      words.insert(words.end(), expected.words.begin(), expected.words.end());
+      words.insert(words.end(), also.begin(), also.end());
+      const auto result = run(words);
+      EXPECT_EQ(result.exit_code, expected.code) << result.out;
+      const std::vector<Json> lines = lines_of(result.out);
+      ASSERT_EQ(lines.size(), 2 + expected.pairs) << result.out;
+      EXPECT_EQ(lines.back()["pairs"], expected.pairs);
+      EXPECT_EQ(lines.back()["ignored_touching"], expected.ignored);
+      EXPECT_EQ(lines.back()["complete"], true);
+    }
+  }
+}
+
+/// In kilobytes, the most memory that it has had, as the system told it last before the end.
+double peak_memory_of(pid_t child) {
+  const std::string file = "/proc/" + std::to_string(child) + "/status", label = "VmHWM:";
+  double peak = 0;
+  while (waitpid(child, nullptr, WNOHANG) == 0) {
+    const std::string status = test::text_of(file);
+    if (const std::size_t at = status.find(label); at != std::string::npos)
+      peak = std::stod(status.substr(at + label.size()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return peak;
+}
+
+// Sanitizers keep what is freed, so it is one of those that they do not repeat.
+using CheckLongSlow = CheckLong;
+
+TEST_F(CheckLongSlow, MemoryDoesNotFollowThePairsThatAreStreamed) {
+  if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "this system does not tell what memory is used";
+  const auto in_a_row = [&](double step) {
+    Json scene = {{"format", "toccata-scene"}, {"version", 1}};
+    for (int i = 0; i < 40; ++i)
+      scene["objects"].push_back({{"name", "ball " + std::to_string(i)},
+                                  {"generate", "uv-sphere"},
+                                  {"parameters", {{"around", 24}, {"along", 12}}},
+                                  {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, step * i, 0.7 * step * i, 0.3 * step * i}}});
+    folder.write("balls.json", scene.dump());
+    const double peak =
+        peak_memory_of(started(folder.path(), {"check", "balls.json", "--threads", "1", "--stream", "--faces"}));
+    const std::string told = test::text_of(folder.path() / "out");
+    const std::string end = told.substr(told.rfind('\n', told.size() - 2) + 1);
+    const auto pairs = Json::parse(end)["pairs"].get<std::size_t>();
+    return std::pair(peak, pairs);
+  };
+  const auto [least, few] = in_a_row(1);
+  const auto [most, many] = in_a_row(0.05);
+  EXPECT_EQ(few, 39U);
+  EXPECT_GT(many, 15 * few);
+  ASSERT_GT(least, 0);
+  EXPECT_LT(most, 1.5 * least) << many << " pairs with their faces, for " << few;
 }
 
 }  // namespace

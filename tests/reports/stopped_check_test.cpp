@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "toccata/core/error.hpp"
 #include "toccata/io/scene_file.hpp"
 #include "toccata/reports/scene_question.hpp"
 
@@ -46,6 +47,28 @@ TEST(StoppedCheck, EveryPairThatIsReportedIsToldOnceAsItIsReported) {
     EXPECT_EQ(report.pairs.size(), 49U);
     EXPECT_EQ(report.unfinished, 0U);
   }
+}
+
+TEST(StoppedCheck, PairsThatAreToldNeedNotBeKept) {
+  const Scene scene = row_of_boxes(50);
+  const CheckReport whole = checked(scene, {.threads = 1});
+  std::size_t told = 0;
+  AskOptions options{.threads = 4};
+  options.found = [&](const CheckReport&) { ++told; };
+  options.keeps_found = false;
+  const CheckReport report = checked(scene, options);
+  EXPECT_TRUE(report.pairs.empty());
+  EXPECT_EQ(report.not_kept, whole.pairs.size());
+  EXPECT_EQ(told, whole.pairs.size());
+  EXPECT_EQ(report.candidate_pairs, whole.candidate_pairs);
+  EXPECT_EQ(report.unfinished, 0U);
+  EXPECT_EQ(whole.not_kept, 0U);
+
+  CheckQuestion sorted;
+  sorted.order = PairOrder::severity;
+  EXPECT_THROW((void)ask(scene_models(scene), sorted, options), Error);
+  options.found = {};  // nobody has seen them
+  EXPECT_EQ(checked(scene, options).pairs.size(), whole.pairs.size());
 }
 
 TEST(StoppedCheck, WhatIsLeftIsCountedAndWhatIsToldIsRight) {

@@ -10,17 +10,16 @@ import json
 import pathlib
 import sys
 import tempfile
-import types
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent / "apps/bench")]
 from browser import Browser, find_chromium  # noqa: E402
 from check_clashes import type_into  # noqa: E402
 from check_pages import Checks  # noqa: E402
-from measure_clashes import write_meshes  # noqa: E402
+from racks import Rack, write_meshes  # noqa: E402
 
-SIZES = types.SimpleNamespace(layers=16, pipes=8, around=12, along=100)
-CLASHES, PARTS, TRIANGLES = 15 * 8 * 8, 16 * 8, 16 * 8 * 2 * 12 * 101
+RACK = Rack(layers=16, pipes=8, around=12, along=100)
+CLASHES, PARTS, TRIANGLES = len(RACK.depths()), RACK.parts(), RACK.triangles()
 ORDER = "toccata.panels.order"
 CHOSEN = """(() => { const list = document.getElementById('finding-list'), rows = [...list.querySelectorAll('li.chosen')];
   const [seen, box] = [list.getBoundingClientRect(), rows[0]?.getBoundingClientRect()];
@@ -161,7 +160,7 @@ def main():
         folder = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else temporary)
         (folder / "rack").mkdir(parents=True, exist_ok=True)
         checks = Checks(command, folder)
-        write_meshes(folder / "rack", SIZES)
+        write_meshes(folder / "rack", RACK)
         pairs = json.loads(checks.run("check", "rack", "--penetration", "--json", "--html", "rack.html"))["pairs"]
         checks.expect(len(pairs) == CLASHES, f"{len(pairs)} clashes")
         with Browser() as browser:

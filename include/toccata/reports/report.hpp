@@ -199,6 +199,7 @@ struct CheckReport {
   std::optional<double> tolerance{};  ///< what was asked for all pairs, where a tolerance was; 0 with rules alone
   ClashGrouping grouping = ClashGrouping::none;
   std::vector<ClashGroup> groups{};  ///< of all its pairs, each in one; the largest first
+  std::size_t not_kept = 0;          ///< pairs that were told as they were found and are not in `pairs`
 };
 
 /// "clearance", "touching", "crossing", "overlap", "protrude", "pierce", "contains", "equal".

@@ -271,6 +271,10 @@ struct AskOptions {
   /// Is called with each pair that `check` will report as soon as it is found, as a report of that pair alone: in the
   /// order in which they are found, from any thread, never from two at once.
   std::function<void(const CheckReport&)> found{};
+  /// Where it is false, the report has none of the pairs that `found` was told of and only counts them
+  /// (CheckReport::not_kept): memory does not follow how many there are. Then it cannot be compared with a baseline,
+  /// sorted, grouped or asked by winding, which is an error.
+  bool keeps_found = true;
 };
 
 /// A pair of a report of `check` as its JSON has it, in one line.

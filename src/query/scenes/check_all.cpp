@@ -149,6 +149,7 @@ class Check {
       answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace); });
       finished_.fetch_add(1, std::memory_order_relaxed);
       if (answers[i]) tell(*answers[i]);
+      if (!watch_.keeps_found) answers[i].reset();
       reporter.finished_one();
     });
     return answers;

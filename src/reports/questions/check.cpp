@@ -380,15 +380,34 @@ CheckReport report_on(const CheckQuestion& question, const Checked& checked, con
 
 namespace {
 
+bool keeps_pairs(const AskOptions& options) { return options.keeps_found || !options.found; }
+
+/// Of the pairs that were told.
+struct ToldCounts {
+  std::size_t reported = 0;
+  std::size_t ignored_touching = 0;
+};
+
 /// Those who look on, by the pairs that will be reported.
-CheckWatch watch_of(const CheckQuestion& question, const io::Asking& asking) {
-  CheckWatch watch{asking.options.stop, {}};
+CheckWatch watch_of(const CheckQuestion& question, const io::Asking& asking, ToldCounts& counts) {
+  CheckWatch watch{asking.options.stop, {}, keeps_pairs(asking.options)};
   if (asking.options.found)
     watch.found = [&](const PairAnswer& pair) {
       const CheckReport one = make_check_report(asking.models, {{pair}, 1}, question);
+      counts.reported += one.pairs.size();
+      counts.ignored_touching += one.ignored_touching;
       if (!one.pairs.empty()) asking.options.found(one);
     };
   return watch;
+}
+
+void require_kept(const CheckQuestion& question, const AskOptions& options) {
+  const bool needs_all = question.baseline || question.by_winding || question.order != PairOrder::objects ||
+                         question.grouping != ClashGrouping::none;
+  if (needs_all && !keeps_pairs(options))
+    throw Error(
+        "a baseline, an order, groups and what is asked by winding need all pairs: they cannot be asked for where "
+        "pairs are not kept (AskOptions::keeps_found)");
 }
 
 struct CheckKind {
@@ -448,13 +467,19 @@ struct CheckKind {
   }
 
   static CheckReport ask(const CheckQuestion& question, const io::Asking& asking) {
+    require_kept(question, asking.options);
     CheckOptions options = check_all_options(question);
     options.threads = asking.options.threads;
     options.progress = asking.options.progress;
     const CheckPairRules rules = io::rules_of(question, asking.models);
-    const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking));
+    ToldCounts counts;
+    const WantedAnswer found = check_wanted(asking.models, options, rules, watch_of(question, asking, counts));
     const auto placed = [&](Index model) { return io::placed(asking.models[model]); };
-    return io::report_on(question, {asking.models, rules, placed}, found);
+    CheckReport report = io::report_on(question, {asking.models, rules, placed}, found);
+    if (keeps_pairs(asking.options)) return report;
+    report.not_kept = counts.reported;
+    report.ignored_touching = counts.ignored_touching;
+    return report;
   }
 
   static std::string json(const CheckReport& report, const io::Reporting& reporting) {
