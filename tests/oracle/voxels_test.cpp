@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/meshes.hpp"
+#include "support/voxel_clashes.hpp"
 #include "support/voxel_solids.hpp"
 
 namespace toccata::oracle {
@@ -43,6 +44,40 @@ TEST(OracleVoxels, SheetsLieAsTheirSquaresDo) {
     const Relation answer = relation(set_a, solid_set(mesh_of(b, Skin::outer, random), {}));
     expect_same(answer, test::true_relation(a, b), "seed 22 round " + std::to_string(round));
   }
+}
+
+VoxelSolid block(const test::Voxel& from, const test::Voxel& to) {
+  VoxelSolid solid;
+  for (int x = from[0]; x < to[0]; ++x)
+    for (int y = from[1]; y < to[1]; ++y)
+      for (int z = from[2]; z < to[2]; ++z) solid.insert({x, y, z});
+  return solid;
+}
+
+/// What one solid does to another that is moved by half a step along each axis.
+test::VoxelClash clash_of(const VoxelSolid& a, const VoxelSolid& b) {
+  return test::true_clash(test::on_half_grid(a, {}), test::on_half_grid(b, {1, 1, 1}));
+}
+
+TEST(OracleVoxels, WhatPassesThroughPierces) {
+  using Piercing = PairAnswer::Piercing;
+  const VoxelSolid plate = block({0, 0, 2}, {5, 5, 3}), rod = block({2, 2, 0}, {3, 3, 5}),
+                   peg = block({2, 2, 2}, {3, 3, 5});
+  EXPECT_TRUE(clash_of(plate, rod).pierces);
+  EXPECT_EQ(clash_of(plate, rod).piercing, Piercing::b_through_a);
+  EXPECT_EQ(clash_of(rod, plate).piercing, Piercing::a_through_b);
+  EXPECT_FALSE(clash_of(plate, peg).pierces);
+  EXPECT_TRUE(clash_of(plate, peg).has_curves);
+  EXPECT_FALSE(clash_of(block({0, 0, 0}, {5, 5, 5}), block({2, 2, 2}, {3, 3, 3})).has_curves);
+}
+
+TEST(OracleVoxels, TwoFeetInAPlateProtrude) {
+  VoxelSolid bench = block({0, 0, 3}, {8, 1, 4});
+  bench.merge(block({0, 0, 1}, {1, 1, 3}));
+  bench.merge(block({7, 0, 1}, {8, 1, 3}));
+  const test::VoxelClash clash = clash_of(block({0, 0, 0}, {9, 3, 2}), bench);
+  EXPECT_FALSE(clash.pierces);
+  EXPECT_TRUE(clash.has_curves_apart);
 }
 
 }  // namespace

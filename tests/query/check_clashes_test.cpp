@@ -14,6 +14,7 @@
 #include "support/relation_cases.hpp"
 #include "toccata/generate/meshes.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/query/contacts.hpp"
 #include "toccata/query/signed_distance.hpp"
 
 namespace toccata::test {
@@ -171,6 +172,17 @@ TEST(CheckClashes, ThePointOfASlabIsTold) {
   }
 }
 
+/// The middle of what the boxes have in common lies in neither of its parts, and their surfaces do not meet.
+TEST(CheckClashes, ThePointOfAPartThatLiesWithinIsTold) {
+  const Model block(box_mesh({1, 1, 1})),
+      parts(joined({box_at({0.1, 0.1, 0.1}, {-0.5, -0.5, 0}), box_at({0.1, 0.1, 0.1}, {2, 2, 0})}));
+  const PairAnswer pair = only_pair(block, parts, {}, with_volume);
+  EXPECT_EQ(pair.kind, ClashKind::overlap);
+  ASSERT_TRUE(pair.common_point);
+  EXPECT_EQ(signed_distance(*pair.common_point, block).side, Side::inside);
+  EXPECT_LT(signed_distance(*pair.common_point, parts).upper, 0);
+}
+
 TEST(CheckClashes, AnOverlapIsHeldAgainstTheTolerance) {
   const TriangleMesh box = box_mesh({1, 1, 1});
   const auto verdict = [&](double by, double tolerance) {
@@ -249,6 +261,21 @@ TEST(CheckTolerance, SurfacesWithinASolidDoNotMakeItShallow) {
   const PairAnswer of_shells = held_against(0.25, onion, onion, Pose::translation(0.05, 0.05, 0.5));
   EXPECT_EQ(of_shells.tolerance, ToleranceVerdict::beyond);
   EXPECT_FALSE(of_shells.local_depth);
+}
+
+/// A rectangle from both sides, which has no inside.
+TriangleMesh sheet(const Vec3& from, const Vec3& to) {
+  const Vec3 p{to.x, from.y, from.z}, q{from.x, to.y, to.z};
+  return {{from, p, to, q}, {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}}};
+}
+
+TEST(CheckTolerance, ASheetThatReachesIntoASolidDoesNotMakeItDeep) {
+  const Model block(box_at({2, 2, 2}, {2.875, 0, 0})),  // 0.125 deep, and the sheet 1.0625 from all its faces
+      with_sheet(joined({box_mesh({1, 1, 1}), sheet({1, -0.5, 0}, {3, 0.5, 0})}));
+  const CheckOptions options{.depth = {.precision = 1}, .tolerance = 0.25};
+  EXPECT_NE(only_pair(block, with_sheet, {}, options).tolerance, ToleranceVerdict::beyond);
+  EXPECT_NE(only_pair(with_sheet, block, {}, options).tolerance, ToleranceVerdict::beyond);
+  for (const ContactRegion& region : contact_regions(with_sheet, block)) EXPECT_LE(region.depth->lower, 0.125);
 }
 
 TEST(CheckTolerance, AShellInsideCountsBesideAShallowPlace) {

@@ -18,13 +18,20 @@ bool bounds_its_solid(const PosedMesh& mesh, const Aabb& region, SearchScratch& 
 
 }  // namespace
 
+std::optional<Vec3> inner_common_point(const Model& a, const Model& b, const PairQuery& query, SearchScratch& scratch) {
+  const PosedMeshPair pair(a, b, query);
+  const CommonDepth depth(a, b, query, pair, outward_turn(pair.a, 0), outward_turn(pair.b, 0), scratch);
+  return depth.inner_point(common_box(pair.a.box(), pair.b.box()));
+}
+
 ContactRegion::Depth local_depth_against(double limit, const Model& a, const Model& b, const PairQuery& query,
                                          SearchScratch& scratch) {
   const PosedMeshPair pair(a, b, query);
   const Aabb common = common_box(pair.a.box(), pair.b.box());
   const CommonDepth depth(a, b, query, pair, outward_turn(pair.a, 0), outward_turn(pair.b, 0), scratch);
   ContactRegion::Depth found = depth.against(limit, common);
-  if (found.lower > limit || found.upper > limit) return found;
+  if (found.lower > limit) return {found.lower, infinity};
+  if (found.upper > limit) return found;
   // Where no point seems deeper than the limit, the surfaces that it was measured to are no farther than that.
   const Aabb region = widened(common, limit);
   if (!bounds_its_solid(pair.a, region, scratch) || !bounds_its_solid(pair.b, region, scratch)) found.upper = infinity;

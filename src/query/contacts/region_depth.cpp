@@ -9,7 +9,10 @@
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/contacts/depth_cell.hpp"
+#include "query/meshes/world_search.hpp"
+#include "query/posed_shape.hpp"
 #include "query/relation/relation_locality.hpp"
+#include "query/volume/winding_volume.hpp"
 
 namespace toccata {
 namespace {
@@ -39,6 +42,25 @@ Vec3 shortest_axis(const Aabb& box) {
 Vec3 middle_of_box(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; }
 
 bool box_holds(const Aabb& box, const Vec3& p) { return contains(box, Aabb{p, p}); }
+
+double distance_to_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double length_squared = dot(along, along);
+  const double share = length_squared > 0 ? std::clamp(dot(p - from, along) / length_squared, 0.0, 1.0) : 0;
+  return plain_length(p - from - share * along);
+}
+
+/// All triangles as near to a point have it as a corner, and their opposite edges are farther.
+bool is_cone_around(const Vec3& point, const PosedMesh& mesh, double near) {
+  bool is_cone = true;
+  visit_triangles_near(mesh, widened({point, point}, near), [&](Index number) {
+    const Triangle t = mesh.triangle(number);
+    const int corner = t[0] == point ? 0 : t[1] == point ? 1 : 2;
+    is_cone = t[corner] == point && distance_to_segment(point, t[(corner + 1) % 3], t[(corner + 2) % 3]) > 2 * near;
+    return is_cone;
+  });
+  return is_cone;
+}
 
 /// A box of the search, in its frame.
 struct WaitingCell {
@@ -76,11 +98,11 @@ class CommonDepthSearch {
     };
     see_some(of_a, [&](const Vec3& v) {
       const SurfacePoint found = b_.nearest(v, scratch_);
-      see({found.lower, v, v, found.point});
+      see_vertex(a_, {found.lower, v, v, found.point});
     });
     see_some(of_b, [&](const Vec3& v) {
       const SurfacePoint found = a_.nearest(v, scratch_);
-      see({found.lower, v, found.point, v});
+      see_vertex(b_, {found.lower, v, found.point, v});
     });
   }
 
@@ -103,10 +125,11 @@ class CommonDepthSearch {
     }
   }
 
-  enum class Until { some_point, narrow };
+  enum class Until { some_point, inner_point, narrow };
 
   /// In a frame along the direction.
   void search(const Vec3& direction, Until until) {
+    until_ = until;
     frame_ = frame_along(without_sign(direction), middle_of_box(box_));
     waiting_ = {};
     settled_ = 0;
@@ -116,6 +139,7 @@ class CommonDepthSearch {
     while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
       if (limit_ && best_.depth > *limit_) break;
       if (until == Until::some_point && best_.depth > 0) return;
+      if (until == Until::inner_point && inner_) return;
       const WaitingCell cell = waiting_.top();
       waiting_.pop();
       split(cell);
@@ -125,13 +149,37 @@ class CommonDepthSearch {
 
   [[nodiscard]] FoundDepth found() const { return {{best_.depth, std::max(best_.depth, settled_)}, best_}; }
   [[nodiscard]] const DeepestPoint& best() const { return best_; }
+  /// Off both surfaces.
+  [[nodiscard]] const std::optional<Vec3>& inner() const { return inner_; }
 
  private:
   void see(const DeepestPoint& found) {
     if (found.depth > 0 && is_deeper(found, best_)) best_ = found;
   }
 
+  /// A point inside both.
+  void see_inner(const DeepestPoint& found) {
+    if (!inner_) inner_ = found.point;
+    see(found);
+  }
+
+  /// The point of a solid's own surface that is nearest to a middle.
+  void see_on_surface(const DepthSide& own, Index triangle, const DeepestPoint& found) {
+    if (!(found.depth > 0) || !is_deeper(found, best_)) return;
+    if (has_inside_beside(own.mesh(), triangle, found.point, slacks_of_nearest * slack_ / 2)) see(found);
+  }
+
+  /// A vertex of a solid, inside the other.
+  void see_vertex(const DepthSide& own, DeepestPoint found) {
+    if (!(found.depth > 0) || !is_deeper(found, best_)) return;
+    const double near = slacks_of_nearest * slack_;
+    // Off such a corner all is as it is however near.
+    if (!is_cone_around(found.point, own.mesh(), near)) found.depth -= near;
+    see_on_surface(own, own.nearest(found.point, scratch_).element, found);
+  }
+
   [[nodiscard]] double narrow_enough() const {
+    if (until_ == Until::inner_point) return floor_;
     if (limit_) return std::max(*limit_, best_.depth + floor_);
     return std::max((1 + asked_precision) * best_.depth, floor_);
   }
@@ -214,7 +262,7 @@ class CommonDepthSearch {
     if (!box_holds(box_, world.middle))
       see_point(world.middle);
     else if (in_a.inside && in_b.inside)
-      see(of_both(world.middle, in_a.surface, in_b.surface));
+      see_inner(of_both(world.middle, in_a.surface, in_b.surface));
     cell.bound = std::min(greatest_sum(of_a, of_b), had);
     // Where the nearest surface is another one on the way through the cell, that opposite to the other solid's may
     // tell.
@@ -242,11 +290,11 @@ class CommonDepthSearch {
     const Vec3 &on_a = in_a.surface.point, &on_b = in_b.surface.point;
     if (!in_a.inside && box_holds(box_, on_a) && is_interior(on_a, b_.mesh())) {
       const auto [depth, across] = depth_in(b_, on_a);
-      see({depth, on_a, on_a, across});
+      see_on_surface(a_, in_a.surface.element, {depth, on_a, on_a, across});
     }
     if (!in_b.inside && box_holds(box_, on_b) && is_interior(on_b, a_.mesh())) {
       const auto [depth, across] = depth_in(a_, on_b);
-      see({depth, on_b, across, on_b});
+      see_on_surface(b_, in_b.surface.element, {depth, on_b, across, on_b});
     }
   }
 
@@ -271,7 +319,9 @@ class CommonDepthSearch {
   double floor_;
   std::optional<double> limit_;
   SearchScratch& scratch_;
+  Until until_ = Until::narrow;
   DeepestPoint best_;
+  std::optional<Vec3> inner_;
   CellFrame frame_{};
   std::priority_queue<WaitingCell> waiting_;
   double settled_ = 0;  ///< the greatest bound of the cells that were left
@@ -329,6 +379,12 @@ ContactRegion::Depth CommonDepth::against(double limit, const Aabb& box) const {
   const Vec3 across = plain_unit_or_zero(search.best().on_a - search.best().on_b);
   search.search(across == Vec3{} ? shortest_axis(box) : across, Until::narrow);
   return search.found().bracket;
+}
+
+std::optional<Vec3> CommonDepth::inner_point(const Aabb& box) const {
+  CommonDepthSearch search(a_, b_, box, size_, {}, scratch_);
+  search.search(shortest_axis(box), CommonDepthSearch::Until::inner_point);
+  return search.inner();
 }
 
 }  // namespace toccata

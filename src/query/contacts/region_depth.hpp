@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "query/nearest/nearest_search.hpp"
@@ -69,6 +70,9 @@ class CommonDepth {
   /// The same, known no better than it takes to hold it against the limit: `upper` is at most that, or `lower` more;
   /// neither where that was not found in reasonable time, or where the two differ by rounding alone.
   [[nodiscard]] ContactRegion::Depth against(double limit, const Aabb& box) const;
+
+  /// A point of the box in both, off their surfaces, if one was found in reasonable time.
+  [[nodiscard]] std::optional<Vec3> inner_point(const Aabb& box) const;
 
  private:
   DepthSide a_;

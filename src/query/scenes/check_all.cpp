@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "math/vec3_measures.hpp"
+#include "query/contacts/local_depth_limit.hpp"
 #include "query/contacts/part_contacts.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/penetration/solid_penetration.hpp"
@@ -229,6 +230,9 @@ class Check {
       tell_kind(answer, common, std::ranges::any_of(regions, passes_through));
     answer.common_point = inner_point(regions, mesh_a->mesh, mesh_b->mesh);
     if (!answer.common_point) answer.common_point = common.point;
+    if (!answer.common_point)
+      answer.common_point =
+          inner_common_point(models_[answer.a].model, models_[answer.b].model, query_of(answer), workspace.scratch());
   }
 
   /// Off both surfaces, in the deepest region where one is found: half way across it, or where that is deepest, or a

@@ -73,10 +73,8 @@ int axis_most_along(const Vec3& normal) {
   return static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
 }
 
-/// A point in the triangle, exactly, whose coordinates but for that along the axis are doubles; none where rounding
-/// finds none.
-std::optional<ExactPoint> point_within(const Triangle& t, int axis) {
-  const Vec3 near = (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2];
+/// A point in the triangle, exactly: `near` but for its coordinate along the axis. None where that is outside.
+std::optional<RationalPoint> point_within(const Triangle& t, int axis, const Vec3& near) {
   const Sign turn = projected_orientation(t, axis);
   for (int i = 0; i < 3; ++i)
     if (orient2d(drop_axis(t[i], axis), drop_axis(t[(i + 1) % 3], axis), drop_axis(near, axis)) != turn) return {};
@@ -88,14 +86,16 @@ std::optional<ExactPoint> point_within(const Triangle& t, int axis) {
   RationalPoint point = to_rational(near);
   Rational& moved = axis == 0 ? point.x : axis == 1 ? point.y : point.z;
   moved = origin[axis] - (normal[i] * from[i] + normal[j] * from[j]) / normal[axis];
-  return ExactPoint(std::move(point));
+  return point;
 }
+
+Vec3 middle_of_triangle(const Triangle& t) { return (1.0 / 3) * t[0] + (1.0 / 3) * t[1] + (1.0 / 3) * t[2]; }
 
 /// On both sides of the triangle, where it meets no other.
 std::optional<LineWinding> windings_beside(const PosedMesh& mesh, const Triangle& t) {
   const int axis = axis_most_along(cross(t[1] - t[0], t[2] - t[0]));
-  const std::optional<ExactPoint> point = point_within(t, axis);
-  return point ? std::optional(wind_along(mesh, *point, axis)) : std::nullopt;
+  std::optional<RationalPoint> point = point_within(t, axis, middle_of_triangle(t));
+  return point ? std::optional(wind_along(mesh, ExactPoint(std::move(*point)), axis)) : std::nullopt;
 }
 
 }  // namespace
@@ -127,6 +127,17 @@ std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, Se
   const int here = wind_along(mesh, ExactPoint(region.lower), 0).ahead;
   if (here != 0 && only != 0 && here != only) return {};
   return here != 0 ? here : only;
+}
+
+bool has_inside_beside(const PosedMesh& mesh, Index triangle, const Vec3& point, double at_most) {
+  const Triangle t = mesh.triangle(triangle);
+  const int axis = axis_most_along(cross(t[1] - t[0], t[2] - t[0]));
+  const Vec3 to_middle = middle_of_triangle(t) - point;
+  const Vec3 near = point + std::min(0.5, at_most / 2 / plain_length(to_middle)) * to_middle;
+  std::optional<RationalPoint> within = point_within(t, axis, near);
+  if (!within || !(std::abs(nearest_double((*within)[axis]) - near[axis]) < at_most / 2)) return false;
+  const LineWinding windings = wind_along(mesh, ExactPoint(std::move(*within)), axis);
+  return windings.ahead != 0 || windings.behind != 0;
 }
 
 }  // namespace toccata

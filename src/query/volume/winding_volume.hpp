@@ -27,4 +27,9 @@ struct WindingVolume {
 /// are several or it could not be proved that there are not.
 [[nodiscard]] std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, SearchScratch& scratch);
 
+/// There are inner points of a closed mesh beside its triangle, no farther than that from a point of it, which is known
+/// up to rounding: exact, whatever else is there. A triangle has outside on both sides where another lies on it that
+/// turns the other way. Also false where rounding hides it.
+[[nodiscard]] bool has_inside_beside(const PosedMesh& mesh, Index triangle, const Vec3& point, double at_most);
+
 }  // namespace toccata
