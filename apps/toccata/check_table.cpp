@@ -37,10 +37,7 @@ std::string verb_of(const FormerPair& pair) {
 
 /// The depth by which a verdict was come to, as far as it is known.
 std::string deciding_depth(const ReportedPair& pair) {
-  if (pair.local_depth)
-    return pair.tolerance == ToleranceVerdict::within
-               ? fmt::format("nowhere more than {:.6g} deep", pair.local_depth->upper)
-               : fmt::format("{:.6g} deep or more in one place", pair.local_depth->lower);
+  if (pair.local_depth) return local_depth_text(pair);
   if (pair.penetration) return depth_text(pair.penetration->lower, pair.penetration->upper) + ", by what parts them";
   return "no depth is known of them";
 }

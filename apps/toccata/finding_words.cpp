@@ -81,15 +81,12 @@ std::optional<Place> told_place(const Scene& scene, const ReportedPair& pair) {
 
 /// What a tolerance makes of the pair, and by which depth; empty where there is none.
 std::string verdict_text(const ReportedPair& pair) {
+  const std::string depth = pair.local_depth ? ", " + local_depth_text(pair) : "";
   switch (pair.tolerance) {
     case ToleranceVerdict::within:
-      return pair.local_depth ? fmt::format(", nowhere more than {:.6g} deep, within the tolerance: no clash",
-                                            pair.local_depth->upper)
-                              : ", within the tolerance: no clash";
+      return depth + ", within the tolerance: no clash";
     case ToleranceVerdict::beyond:
-      return pair.local_depth
-                 ? fmt::format(", {:.6g} deep or more in one place, beyond the tolerance", pair.local_depth->lower)
-                 : ", beyond the tolerance";
+      return depth + ", beyond the tolerance";
     case ToleranceVerdict::undecided:
       return ", undecided whether within the tolerance";
     case ToleranceVerdict::none:

@@ -48,10 +48,7 @@ std::string depth_text(const Penetration& penetration) {
   return penetration.upper == 0 ? depth : depth + " along " + point_text(penetration.direction);
 }
 
-std::string depth_text(double lower, double upper) {
-  const std::string least = fmt::format("{:.6g}", lower), most = fmt::format("{:.6g}", upper);
-  return (least == most ? most : least + " to " + most) + " deep";
-}
+std::string depth_text(double lower, double upper) { return bracket_text(lower, upper) + " deep"; }
 
 std::string depth_text(const Penetration& penetration, DepthEnd end, const std::string& moved) {
   std::string text = depth_text(penetration) + (penetration.upper == 0 ? "" : ", moving " + moved);
@@ -64,6 +61,12 @@ std::string depth_text(const Penetration& penetration, DepthEnd end, const std::
       return text + ", when the time was over";
   }
   return text;
+}
+
+std::string local_depth_text(const ReportedPair& pair) {
+  return pair.tolerance == ToleranceVerdict::within
+             ? fmt::format("nowhere more than {} deep", upper_bound_text(pair.local_depth->upper))
+             : fmt::format("{} deep or more in one place", lower_bound_text(pair.local_depth->lower));
 }
 
 std::string winding_text(const WindingNumber& winding) {

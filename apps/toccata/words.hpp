@@ -36,8 +36,11 @@ std::string since_text(const ReportedPair& pair);
 /// A length in the world's unit, for people: "5 mm" of 0.005 m; "all" of infinity.
 std::string length_text(double length, const std::string& unit);
 
-/// "0.5 deep", or both bounds where their digits differ.
+/// "0.5 deep", "20 to 21 deep" (bracket_text).
 std::string depth_text(double lower, double upper);
+
+/// The end of `local_depth`, which has to be there, by which the verdict of a tolerance was come to.
+std::string local_depth_text(const ReportedPair& pair);
 
 /// What the user typed to call the command: "toccata", or "./toccata" through the repository's wrapper.
 std::string called_as();

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
+#include "toccata/reports/report.hpp"
 
 namespace toccata {
 namespace {
@@ -37,6 +38,30 @@ TEST(CheckDepth, PrecisionAndTimeLimitAreAskedAndTheEndIsTold) {
   // The bracket holds all the same: that of a longer search has a depth in common with it.
   EXPECT_LE(depth["lower"], wide["pairs"][0]["penetration"]["upper"]);
   EXPECT_GE(depth["upper"], wide["pairs"][0]["penetration"]["lower"]);
+}
+
+TEST(CheckDepth, IsToldAsTheBracketItIsWhereverItIsTold) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> words = depth_of_knots({"--precision", "0.5"});
+  const auto asked = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return test::run_command(more, folder.path());
+  };
+  const DepthJson pair = DepthJson::parse(asked({"--json"}).out)["pairs"][0];
+  const double lower = pair["penetration"]["lower"].get<double>(), upper = pair["penetration"]["upper"].get<double>();
+  ASSERT_GT(upper, 1.01 * lower);
+  const std::string told = bracket_text(lower, upper) + " deep";
+  ASSERT_NE(told.find(" to "), std::string::npos) << told;
+  const std::string moved = "moving " + pair["b"].get<std::string>();
+  const auto run = asked({"--junit", "found.xml", "--sarif", "found.sarif", "--glb", "found.glb"});
+  const auto tells = [&](const std::string& text) { return text.find(told) != std::string::npos; };
+  EXPECT_TRUE(tells(run.out) && run.out.find(moved) != std::string::npos) << told << "\n" << run.out;
+  for (const char* file : {"found.xml", "found.sarif", "found.glb"})
+    EXPECT_TRUE(tells(test::text_of(folder / file))) << file << " tells " << told;
+  const DepthJson region = pair["regions"][0];
+  EXPECT_NE(run.out.find(bracket_text(region["depth"].get<double>(), region["depth_upper"].get<double>()) + " deep"),
+            std::string::npos)
+      << run.out;
 }
 
 TEST(CheckDepth, WhatIsNoNumberAboveZeroIsToldAndLeftOut) {

@@ -27,6 +27,7 @@
 #include "toccata/partitions/measure.hpp"
 #include "toccata/query/check_all.hpp"
 #include "toccata/reports/output_file.hpp"
+#include "toccata/reports/report.hpp"
 
 namespace toccata {
 namespace {
@@ -365,7 +366,10 @@ TEST(GlbFile, ContactsAreNodesOfTheirOwn) {
   EXPECT_GT(corners["where they meet"], 0U);
   const std::vector<Json> depth = glb.nodes_named("depth of " + between);
   ASSERT_EQ(depth.size(), 1U);
-  EXPECT_EQ(depth[0]["extras"]["depth"].get<double>(), pair.penetration->upper);
+  EXPECT_EQ(depth[0]["extras"]["depth"]["lower"].get<double>(), pair.penetration->lower);
+  EXPECT_EQ(depth[0]["extras"]["depth"]["upper"].get<double>(), pair.penetration->upper);
+  EXPECT_EQ(depth[0]["extras"]["found"].get<std::string>(),
+            bracket_text(pair.penetration->lower, pair.penetration->upper) + " deep");
 }
 
 TEST(GlbFile, DistancesAreSegmentsBetweenTheNearestPoints) {

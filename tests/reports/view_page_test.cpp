@@ -180,6 +180,9 @@ TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
     if (layer.contains("length"))
       labels.push_back(layer["role"].get<std::string>() + " " + Json(layer["length"].get<float>()).dump());
   EXPECT_EQ(labels, (std::vector<std::string>{"depth 0.5", "distance 3.0"}));
+  const Json& depth = page.report["pairs"][0]["penetration"];
+  for (const Json& layer : page.header["layers"])
+    if (layer["role"] == "depth" && layer.contains("length")) EXPECT_EQ(layer["lower_length"], depth["lower"]);
   EXPECT_EQ(page.report["unit"], "mm");
 }
 

@@ -12,9 +12,11 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
 from browser import Browser, find_chromium  # noqa: E402
 from check_pages import Checks, moved  # noqa: E402
+from page_content import tells_depth  # noqa: E402
 
 # The part of the screen that the place of the chosen clash takes, and the words over the picture.
 PLACE = """(() => { const corners = toccata.marks.avoid.map(corner => toccata.stage.onScreen(corner));
@@ -248,6 +250,28 @@ def check_tools(checks, browser):
     checks.expect(browser.value("document.getElementById('measured').textContent") == "", "no longer")
 
 
+def check_depths(checks, browser):
+    """A depth is told as the bracket it is, in the row, in the sentence and in the picture, by the rule of the command."""
+    checks.run("check", "gen:torus-knot?around=40&sides=6", "gen:torus-knot?around=40&sides=6", "--pose-b", "0.7", "0.1", "0",
+               "--penetration", "--precision", "0.5", "--html", "knots.html")
+    checks.opened(browser, "knots.html", "#finding=0&theme=light")
+    depth = browser.value("toccata.data.report.pairs[0].penetration")
+    checks.expect(depth["upper"] > 1.01 * depth["lower"], f"this depth is known as a bracket: {depth}")
+    told = {"the row": LISTED, "the facts": "[document.getElementById('facts').textContent]",
+            "the picture": "[...document.querySelectorAll('#marks .mark')].map(mark => mark.textContent + ' deep')"}
+    for where, words in told.items():
+        said = browser.value(words)
+        checks.expect(any(" to " in text and tells_depth(text, depth) for text in said), f"{where} tells {depth}: {said}")
+    name = browser.value("toccata.data.report.objects[1].name")
+    facts = browser.value("document.getElementById('facts').textContent")
+    checks.expect(f"; moving {name} by " in facts, f"the object that is moved is named: {facts}")
+    for case in json.loads((HERE.parent / "reports" / "bracket_texts.json").read_text()):
+        said = browser.value(f"(Object.assign(toccata.data.report.pairs[0].penetration, {{ lower: {case['lower']!r}, upper: {case['upper']!r} }}), toccata.findings.all[0].what)")
+        wanted = f" · {case['text']} deep" if case["upper"] > 0 else ""
+        checks.expect(said.endswith(wanted) and (wanted or "deep" not in said), f"{case}: {said}")
+    checks.quiet(browser, "knots.html")
+
+
 def check_stopped(checks, browser):
     """Of a check that was stopped the picture says that it is not all, without panels, too."""
     said = "(() => { const said = document.getElementById('partial'); return said.offsetHeight > 0 ? said.textContent : ''; })()"
@@ -283,6 +307,7 @@ def main():
             check_review(checks, browser)
             checks.quiet(browser, "hall.html")
             check_stopped(checks, browser)
+            check_depths(checks, browser)
     print(f"{checks.count} checks, {len(checks.failures)} failed")
     return 1 if checks.failures else 0
 

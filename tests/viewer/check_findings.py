@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from browser import Browser, find_chromium  # noqa: E402
 from check_intersections import check_faces_drawn, check_sentences  # noqa: E402
 from check_pages import BOX, Checks, WICKED, differing, is_blue, moved, share  # noqa: E402
-from page_content import content_of  # noqa: E402
+from page_content import content_of, tells_depth  # noqa: E402
 
 ROWS = "1 0 0 0 1 0 0 0 1 "
 
@@ -149,9 +149,9 @@ def check_poses(checks, browser):
     checks.expect(len(rows(browser)) == 3, f"{rows(browser)}")
     for number, query in enumerate(report["queries"]):
         sentence, facts = told(browser, number)
-        depth = query["penetration"]["upper"]
+        depth = query["penetration"]
         checks.expect(sentence.startswith(f"At pose {number} box "), sentence)
-        checks.expect(depth == 0 or is_close(number_in(r"([-\d.e]+) deep", facts), depth), f"{depth}: {facts}")
+        checks.expect(depth["upper"] == 0 or tells_depth(" | ".join(facts), depth), f"{depth}: {facts}")
         if query["face_pairs"] > 0:
             checks.expect(f"{query['face_pairs']} face pairs in contact" in facts, f"{facts}")
             faces = browser.value(f"toccata.data.header.layers.filter(layer => layer.finding === {number} && layer.kind === 'faces').map(layer => layer.object)")

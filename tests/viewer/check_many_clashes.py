@@ -16,6 +16,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent.parent / "apps/bench")]
 from browser import Browser, find_chromium  # noqa: E402
 from check_clashes import type_into  # noqa: E402
 from check_pages import Checks  # noqa: E402
+from page_content import tells_depth  # noqa: E402
 from racks import Rack, write_meshes  # noqa: E402
 
 RACK = Rack(layers=16, pipes=8, around=12, along=100)
@@ -36,7 +37,8 @@ def check_chosen(checks, browser, pairs, finding, how):
     sentence = browser.value("document.getElementById('sentence').textContent")
     checks.expect(pair["a"] in sentence and pair["b"] in sentence, f"{how}: the sentence: {sentence}")
     facts = browser.value("document.getElementById('facts').textContent")
-    checks.expect(f"{pair['penetration']['upper']:.6g} deep" in facts, f"{how}: the depth: {facts}")
+    checks.expect(tells_depth(facts, pair["penetration"]), f"{how}: the depth {pair['penetration']}: {facts}")
+    checks.expect(tells_depth(text or "", pair["penetration"]), f"{how}: the depth {pair['penetration']}: {text}")
     drawn = browser.value(DRAWN)
     wanted = browser.value(f"toccata.data.layersOf({finding}).filter(layer => layer.kind === 'segments').length")
     checks.expect(len(drawn) == wanted == 2, f"{how}: curve and depth are drawn: {len(drawn)} of {wanted}")

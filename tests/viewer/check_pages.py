@@ -23,7 +23,7 @@ from check_robot import check_robot  # noqa: E402
 from check_subdivided import check_subdivided  # noqa: E402
 from check_walk import check_walk  # noqa: E402
 from check_world import check_large_world, check_world  # noqa: E402
-from page_content import content_of, with_content  # noqa: E402
+from page_content import content_of, tells_depth, with_content  # noqa: E402
 from pixels import differing, is_blue, is_orange, share  # noqa: E402
 
 TURNED = "a\u202egnp.exe\x07"
@@ -75,8 +75,8 @@ def check_contacts(checks, browser):
     pair = pairs[0]
     checks.expect(sentence == f"{pair['a']} overlaps {pair['b']} (both solids).", f"the sentence: {sentence}")
     facts = browser.value("document.getElementById('facts').textContent")
-    depth = float(re.search(r"([-\d.e]+) m deep", facts).group(1))
-    checks.expect(abs(depth / pair["penetration"]["upper"] - 1) < 1e-5, f"the depth: {depth}")
+    checks.expect(tells_depth(facts, pair["penetration"]), f"the depth {pair['penetration']}: {facts}")
+    checks.expect(f"; moving {pair['b']} by " in facts, f"which of the two is moved: {facts}")
     checks.expect(f"{len(pair['faces'])} face pairs in contact" in facts, f"the face pairs: {facts}")
     checks.expect("decided exactly, by tree, exact pairs, winding numbers" in facts, f"the method: {facts}")
     time.sleep(0.3)
@@ -197,7 +197,7 @@ def check_shapes(checks, browser):
     checks.opened(browser, "shapes.html", "#finding=0")
     browser.wait_for("!document.getElementById('found').hidden")
     facts = browser.value("[...document.querySelectorAll('#facts li')].map(fact => fact.textContent)")
-    told = ["0.5 m deep; moving B by it along (1, 0, 0) parts them", "1 point of contact", "decided exactly, by exact signs of separating normals"]
+    told = ["0.5 m deep; moving b by it along (1, 0, 0) parts them", "1 point of contact", "decided exactly, by exact signs of separating normals"]
     checks.expect(facts == [*told, "depth by expanding polytope, certified bracket"], f"{facts}")
     checks.quiet(browser, "shapes")
 
@@ -290,7 +290,7 @@ def check_extremes(checks, browser):
     checks.opened(browser, "huge.json.html", "#finding=0")
     browser.wait_for("toccata.state.finding === 0")
     facts = browser.value("document.getElementById('facts').textContent")
-    checks.expect(facts.startswith("more than 1.79769e+308 m deep; moving B"), f"an infinite depth: {facts}")
+    checks.expect(facts.startswith("at least 1.79769e+308 m deep; moving b far enough along"), f"an infinite depth: {facts}")
     checks.quiet(browser, "extremes")
 
 

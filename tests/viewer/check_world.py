@@ -2,6 +2,7 @@
 import json
 import time
 
+from page_content import tells_depth
 from pixels import differing, is_blue, is_orange, share
 
 GO = "toccata.time.go({})"
@@ -60,7 +61,8 @@ def look_at_a_pair(checks, browser, steps):
     sentence = browser.value("document.getElementById('sentence').textContent")
     checks.expect(sentence == f"body {pair['a_index']} {pair['verb']} body {pair['b_index']} {pair['remark']}: as at the step before.", f"the sentence: {sentence}")
     facts = browser.value("document.getElementById('facts').textContent")
-    checks.expect(f"{pair['points']} point" in facts and " deep; moving B" in facts, f"the facts: {facts}")
+    checks.expect(f"{pair['points']} point" in facts and f" deep; moving body {pair['b_index']} by " in facts, f"the facts: {facts}")
+    checks.expect(tells_depth(facts, pair["penetration"]), f"the depth {pair['penetration']}: {facts}")
     browser.value(GO.format(3))
     there = browser.value("toccata.findings.all[toccata.state.finding]?.moment")
     checks.expect(there == 3, f"the pair stays chosen at the step before: {there}")

@@ -42,6 +42,7 @@ export interface Layer {
   object?: number;
   label?: string;
   length?: number | null; // written at the middle of the first segment; null: beyond the largest double
+  lower_length?: number | null; // where the length is the upper end of a bracket
   name?: string;
   steps?: LayerStep[];
   moments?: [number, number][]; // at each moment of the page's time, the first item and how many

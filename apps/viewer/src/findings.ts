@@ -4,7 +4,7 @@ import type { Distance, GonePair, Header, Pair, PageData, Penetration, Region, R
 import { ofInspected } from './inspected';
 import { ofParts, ofSubdivided, ofSum } from './made';
 import { ofCosts, ofTrees } from './measured';
-import { countText, directionText, groupedText, lengthText, numberText, vectorText } from './words';
+import { boundTexts, bracketText, countText, directionText, groupedText, lengthText, lowerBoundText, numberText, upperBoundText, vectorText, withUnit } from './words';
 
 /// A text, or the name of an object, which is untrusted.
 export type Part = string | { object: number };
@@ -62,11 +62,14 @@ class Methods {
 
 const decided = (status: string) => (status === 'exact' ? 'decided exactly' : `status: ${status.replace('_', ' ')}`);
 
-function depthFacts(depth: Penetration | null | undefined, unit: string): Part[][] {
+const depthText = ({ lower, upper }: { lower: number | null; upper: number | null }, unit: string) => `${bracketText(lower, upper, unit)} deep`;
+
+/// How deep, and which of the two moved how far parts them.
+function depthFacts(depth: Penetration | null | undefined, moved: number, unit: string): Part[][] {
   if (!depth || depth.upper === 0) return [];
-  const [lower, upper] = [depth.lower, depth.upper].map((x) => lengthText(x, unit));
-  const range = lower === upper || depth.lower === null || depth.upper === null ? '' : `${numberText(depth.lower)} to `;
-  return [[`${range}${upper} deep; moving B by it along ${directionText(depth.direction)} parts them`]];
+  const [first, last] = depth.lower === null || depth.upper === null ? [] : boundTexts(depth.lower, depth.upper);
+  const far = first === undefined ? 'far enough' : last === undefined ? 'by it' : `by ${withUnit(last, unit)}`;
+  return [[`${depthText(depth, unit)}; moving `, { object: moved }, ` ${far} along ${directionText(depth.direction)} parts them`]];
 }
 
 function distanceFacts(distance: Distance | undefined, unit: string): Part[][] {
@@ -79,7 +82,7 @@ const gapOf = (distance: Distance | undefined) => (distance ? (distance.upper ??
 
 function numberOf(unit: string, distance: Distance | undefined, depth: Penetration | null | undefined): string {
   if (distance && distance.upper !== 0) return `${lengthText(distance.upper, unit)} apart`;
-  return depth && depth.upper !== 0 ? `${lengthText(depth.upper, unit)} deep` : '';
+  return depth && depth.upper !== 0 ? depthText(depth, unit) : '';
 }
 
 const together = (...words: string[]) => words.filter((word) => word !== '').join(' · ');
@@ -88,7 +91,7 @@ const together = (...words: string[]) => words.filter((word) => word !== '').joi
 function regionFacts(regions: Region[], unit: string): Part[][] {
   const few = 3;
   const facts = regions.slice(0, few).map((region, i): Part[] => {
-    const deep = region.depth_upper ? `, ${numberText(region.depth ?? 0)} to ${lengthText(region.depth_upper, unit)} deep` : '';
+    const deep = region.depth_upper ? `, ${depthText({ lower: region.depth, upper: region.depth_upper }, unit)}` : '';
     return [`place ${i + 1} of ${regions.length}: area ${numberText(region.area)}${deep}`];
   });
   return regions.length > few ? [...facts, [`and ${countText(regions.length - few, 'more place')}`]] : facts;
@@ -122,7 +125,8 @@ const verbOf = ({ kind, piercing }: Pair, plainVerb: string) =>
 function toleranceFact({ tolerance, local_depth: depth }: Pair, unit: string): Part[][] {
   if (!tolerance) return [];
   if (!depth) return [[toleranceWords[tolerance]]];
-  const by = tolerance === 'within' ? `nowhere more than ${lengthText(depth.upper, unit)} deep` : `${lengthText(depth.lower, unit)} deep or more in one place`;
+  const isWithin = tolerance === 'within' && depth.upper !== null;
+  const by = isWithin ? `nowhere more than ${upperBoundText(depth.upper!, unit)} deep` : `${lowerBoundText(depth.lower, unit)} deep or more in one place`;
   return [[`${toleranceWords[tolerance]}: ${by}`]];
 }
 
@@ -154,7 +158,7 @@ const sinceOf = ({ baseline, moved_by }: Pair, unit: string): string =>
 
 /// What stands below the sentence.
 function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
-  const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
+  const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, pair.b_index, unit)];
   if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
   facts.push(...volumeFacts(pair, unit));
   facts.push(...toleranceFact(pair, unit));
@@ -290,7 +294,7 @@ function ofPoses(data: PageData): Findings {
     const drawn = data.header.words[i].face_pairs;
     const count = query.face_pairs ?? drawn ?? 0;
     const faces = count > 0 && meshes === 2 ? countText(count, 'face pair') : '';
-    const facts = [...distanceFacts(distance, unit), ...depthFacts(query.penetration, unit)];
+    const facts = [...distanceFacts(distance, unit), ...depthFacts(query.penetration, 1, unit)];
     if (faces) facts.push([`${faces} in contact`]);
     if (drawn === null && meets) facts.push(['the faces that meet are drawn at earlier poses alone']);
     if (query.regions?.length) facts.push([countText(query.regions.length, 'region of contact', 'regions of contact')]);
@@ -450,7 +454,7 @@ function ofWorldPair(pair: WorldPair, moment: number, unit: string): Finding {
   const isEnded = pair.change === 'end';
   const verb = pair.in_contact ? (pair.verb ?? 'is in contact with') : 'is closer than its clearance to';
   const since = { begin: 'since this step', persist: 'as at the step before', end: 'at the step before, and no longer' }[pair.change];
-  const facts = isEnded ? [] : [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, unit)];
+  const facts = isEnded ? [] : [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, b, unit)];
   if (!isEnded && pair.points) facts.push([countText(pair.points, 'point of contact', 'points of contact')]);
   return {
     row: [{ object: a }, ' – ', { object: b }],

@@ -20,7 +20,7 @@ import { Stage } from './stage';
 import { TimeBar } from './time_bar';
 import { fromHash, toHash, type Known } from './link';
 import type { State } from './state';
-import { countText, lengthText } from './words';
+import { bracketText, countText } from './words';
 
 function knownOf({ header, report }: PageData, findings: Findings): Known {
   return {
@@ -450,7 +450,7 @@ export class Viewer {
       return { at: top(this.objects.boxes[object]), text: report.objects[object].name, className: `mark ${side}`, kept: true };
     });
     for (const layer of this.data.layersOf(this.state.finding)) {
-      const text = layer.length === undefined ? layer.label : lengthText(layer.length, report.unit);
+      const text = layer.length === undefined ? layer.label : bracketText(layer.lower_length === undefined ? layer.length : layer.lower_length, layer.length, report.unit);
       if (!text || this.state.off.has(layer.role)) continue;
       const ends = this.data.floats(layer.data);
       marks.push({ at: new Vector3((ends[0] + ends[3]) / 2, (ends[1] + ends[4]) / 2, (ends[2] + ends[5]) / 2), text, className: 'mark' });

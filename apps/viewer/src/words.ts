@@ -6,12 +6,46 @@ export function numberText(x: number): string {
   return String(Number(x.toPrecision(6)));
 }
 
-/// A unit that is a number of others is multiplied: "2 × 0.3 m". Null stands for lengths beyond the largest double.
+/// Null stands for lengths beyond the largest double.
 export function lengthText(x: number | null, unit: string): string {
   if (x === null) return `more than ${lengthText(Number.MAX_VALUE, unit)}`;
-  if (unit === 'unit') return numberText(x);
-  return `${numberText(x)} ${/^[-+.\d]/.test(unit) ? '× ' : ''}${unit}`;
+  return withUnit(numberText(x), unit);
 }
+
+const mostDigits = 6;
+
+/// The exponent of the greatest power of ten that is no more than x.
+const decadeOf = (x: number) => Math.floor(Math.log10(x));
+
+/// A bound with as many digits. A part in 10¹² of it is taken for its rounding.
+function roundedOutward(x: number, digits: number, way: 'down' | 'up'): string {
+  if (!(x > 0)) return '0';
+  const step = 10 ** Math.max(decadeOf(x) - digits + 1, -300);
+  const steps = way === 'up' ? Math.ceil((x / step) * (1 - 1e-12)) : Math.floor((x / step) * (1 + 1e-12));
+  return String(Number(Math.min(steps * step, Number.MAX_VALUE).toPrecision(12)));
+}
+
+/// A unit that is a number of others is multiplied: "2 × 0.3 m".
+export const withUnit = (text: string, unit: string) => (unit === 'unit' ? text : `${text} ${/^[-+.\d]/.test(unit) ? '× ' : ''}${unit}`);
+
+/// The bounds of a length, by the rule of bracket_text in the library (toccata/reports/report.hpp): one number where
+/// both are the same in six digits, else both, rounded outward.
+export function boundTexts(lower: number, upper: number): string[] {
+  if (numberText(lower) === numberText(upper)) return [numberText(upper)];
+  const width = decadeOf(upper - lower);
+  const digitsOf = (x: number) => (x > 0 ? Math.min(Math.max(2 + decadeOf(x) - width, 2), mostDigits) : 1);
+  return [roundedOutward(lower, digitsOf(lower), 'down'), roundedOutward(upper, digitsOf(upper), 'up')];
+}
+
+/// "20 to 21 mm".
+export function bracketText(lower: number | null, upper: number | null, unit: string): string {
+  if (lower === null) return lengthText(null, unit);
+  return upper === null ? `at least ${lowerBoundText(lower, unit)}` : withUnit(boundTexts(lower, upper).join(' to '), unit);
+}
+
+/// One bound alone.
+export const lowerBoundText = (x: number, unit: string) => withUnit(roundedOutward(x, mostDigits, 'down'), unit);
+export const upperBoundText = (x: number, unit: string) => withUnit(roundedOutward(x, mostDigits, 'up'), unit);
 
 /// Made once: to make one anew takes longer than all else that is done for a row of a list.
 const grouping = new Intl.NumberFormat('en-US');

@@ -274,6 +274,16 @@ struct NamedReport {
 /// "(undecided: …)", …
 [[nodiscard]] std::string remark_on(const Relation& relation);
 
+/// A length of 0 or more that lies between two bounds, for people: one number where both are the same in six digits,
+/// else both, rounded outward so that the exact length lies between the two that are told, too: "20 to 21". Each has
+/// two digits, and one more, up to six, for each decade that the width of the bracket lies below it. A part in 10¹² of
+/// a bound is taken for its rounding. An upper bound that is infinite tells nothing: "at least 20".
+[[nodiscard]] std::string bracket_text(double lower, double upper);
+
+/// One bound of it alone, rounded to its side.
+[[nodiscard]] std::string lower_bound_text(double lower, int digits = 6);
+[[nodiscard]] std::string upper_bound_text(double upper, int digits = 6);
+
 /// How an object intersects itself.
 struct ReportedSelf {
   std::size_t triangle_pairs = 0;

@@ -49,13 +49,19 @@ void GlbFindings::add_contacts(const ReportedPair& pair) {
 }
 
 void GlbFindings::add_distance(const std::array<Index, 2>& pair, const Distance& distance) {
-  if (distance.upper > 0) add_length("distance", pair, distance.upper, {distance.on_a, distance.on_b});
+  if (distance.upper > 0) add_length("distance", pair, {distance.on_a, distance.on_b}, {{"distance", distance.upper}});
 }
 
-void GlbFindings::add_length(const char* what, const std::array<Index, 2>& pair, double length,
-                             const std::array<Vec3, 2>& ends) {
+void GlbFindings::add_depth(const std::array<Index, 2>& pair, const Penetration& depth) {
+  add_length("depth", pair, {depth.on_a, depth.on_b},
+             {{"found", bracket_text(depth.lower, depth.upper) + " deep"},
+              {"depth", {{"lower", depth.lower}, {"upper", depth.upper}}}});
+}
+
+void GlbFindings::add_length(const char* what, const std::array<Index, 2>& pair, const std::array<Vec3, 2>& ends,
+                             Json extras) {
   const std::vector<Shown> shown{{{ends.begin(), ends.end()}, GlbMode::lines, lengths}};
-  add_node(title(what, pair), shown, {{what, length}});
+  add_node(title(what, pair), shown, std::move(extras));
 }
 
 std::vector<Vec3> GlbFindings::corners(Index object, std::span<const Index> faces) const {

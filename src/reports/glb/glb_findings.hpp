@@ -33,7 +33,7 @@ class GlbFindings {
 
   void add_node(const std::string& name, std::span<const Shown> shown, Json extras);
   void add_contacts(const ReportedPair& pair);
-  void add_length(const char* what, const std::array<Index, 2>& pair, double length, const std::array<Vec3, 2>& ends);
+  void add_depth(const std::array<Index, 2>& pair, const Penetration& depth);
   /// Nothing of two that meet.
   void add_distance(const std::array<Index, 2>& pair, const Distance& distance);
   /// Puts the nodes that were added under one that shows them at this pose.
@@ -46,6 +46,8 @@ class GlbFindings {
 
  private:
   [[nodiscard]] std::string title(const char* what, const std::array<Index, 2>& pair) const;
+  /// A segment.
+  void add_length(const char* what, const std::array<Index, 2>& pair, const std::array<Vec3, 2>& ends, Json extras);
 
   GlbScene& glb_;
   std::vector<std::size_t> nodes_;

@@ -532,9 +532,7 @@ struct CheckKind {
   static void show(const CheckReport& report, io::GlbFindings& nodes) {
     for (const ReportedPair& pair : report.pairs) {
       if (pair.relation.kind != RelationKind::apart) nodes.add_contacts(pair);
-      if (pair.penetration && pair.penetration->upper > 0)
-        nodes.add_length("depth", {pair.a, pair.b}, pair.penetration->upper,
-                         {pair.penetration->on_a, pair.penetration->on_b});
+      if (pair.penetration && pair.penetration->upper > 0) nodes.add_depth({pair.a, pair.b}, *pair.penetration);
       if (pair.distance) nodes.add_distance({pair.a, pair.b}, *pair.distance);
     }
     nodes.glb().add_group("pairs", nodes.nodes());

@@ -19,7 +19,7 @@ void add_intersecting_faces(LayerWriter& layers, Index a, Index b, const std::ve
 }
 
 void add_depth(LayerWriter& layers, const std::optional<Penetration>& depth) {
-  if (depth && depth->upper > 0) layers.add_length("depth", depth->on_a, depth->on_b, depth->upper);
+  if (depth && depth->upper > 0) layers.add_length("depth", depth->on_a, depth->on_b, depth->upper, depth->lower);
 }
 
 void add_distance(LayerWriter& layers, const Distance& distance) {

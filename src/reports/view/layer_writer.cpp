@@ -50,10 +50,12 @@ void LayerWriter::add_faces(const char* role, Index object, std::span<const Inde
   if (!triangles.empty()) push("faces", role, data_.add(std::span<const std::uint32_t>(triangles)))["object"] = object;
 }
 
-void LayerWriter::add_length(const char* role, const Vec3& from, const Vec3& to, double length) {
+void LayerWriter::add_length(const char* role, const Vec3& from, const Vec3& to, double length,
+                             std::optional<double> lower) {
   const std::vector<float> ends = shown(std::array{from, to});
   if (!add("segments", role, ends)) return;
   layers_.back()["length"] = length;
+  if (lower) layers_.back()["lower_length"] = *lower;
   add("points", role, ends);
 }
 

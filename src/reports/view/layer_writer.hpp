@@ -33,8 +33,9 @@ class LayerWriter {
   void add_box(const char* role, const Vec3& lower, const Vec3& upper);
   /// Faces of a model, ascending.
   void add_faces(const char* role, Index object, std::span<const Index> faces);
-  /// A segment with its length beside it, and its ends; a length beyond the largest double is written as null.
-  void add_length(const char* role, const Vec3& from, const Vec3& to, double length);
+  /// A segment with its length beside it, and its ends; with `lower` the length is the upper end of a bracket. A length
+  /// beyond the largest double is written as null.
+  void add_length(const char* role, const Vec3& from, const Vec3& to, double length, std::optional<double> lower = {});
 
   [[nodiscard]] Json take() { return std::move(layers_); }
 
