@@ -141,6 +141,16 @@ add_ifc() {
   chmod +x "$program"
 }
 
+# A second reader of BCF in a Python of its own, and buildingSMART's schemas of it, which the sources of an earlier version hold.
+add_bcf_reader() {
+  local folder=$source_folder/build/formats/bcf earlier=bcf-client==0.7.10
+  python3 -m venv "$folder" && "$folder/bin/pip" install --quiet bcf-client xmlschema >&2
+  mkdir -p "$folder/schemas"
+  "$folder/bin/pip" download --quiet --no-deps --no-binary :all: --dest "$folder/schemas" "$earlier" >&2
+  tar -xzf "$folder"/schemas/bcf_client-*.tar.gz -C "$folder/schemas" --wildcards '*/xsd/*.xsd' \
+    --transform 's:.*/v2/xsd/:2.1/:' --transform 's:.*/v3/xsd/:3.0/:'
+}
+
 # Options for a build that has the room over MPI, where that is installed, for tests on few ranks: those on more, and under
 # sanitizers, are a step of --all.
 options_for_ranks() {

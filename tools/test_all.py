@@ -85,8 +85,8 @@ STEPS = {
                         [*CODE, "python", "tools"], "python3-dev python3-venv"),
     "formats": Step("configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_WITH_STEP=ON -DTOCCATA_WITH_ASSIMP=ON; "
                     "build release toccata_command toccata_read_step toccata_write_step toccata_read_assimp; add_ifc; python3 tests/formats/check_formats.py build/release/apps/toccata; "
-                    "python3 -m venv build/formats/bcf; build/formats/bcf/bin/pip install --quiet bcf-client; "
-                    "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata --reader",
+                    "add_bcf_reader; for way in --reader '--schemas build/formats/bcf/schemas'; do "
+                    "build/formats/bcf/bin/python tests/command/check_exchange.py build/release/apps/toccata/toccata $way; done",
                     packages="$(cat tools/packages-step.txt tools/packages-assimp.txt)"),
     # The room that needs MPI, on up to 8 ranks, and on 2 under sanitizers. The folder has then no such room any more.
     "ranks": Step("trap 'configure release -DTOCCATA_WITH_MPI=OFF' EXIT; configure release -DTOCCATA_BUILD_TESTS=ON -DTOCCATA_TEST_SANITIZED=ON -DTOCCATA_WITH_MPI=ON "

@@ -98,7 +98,9 @@ std::string extensions_xml() {
   };
   add_list("TopicTypes", "TopicType", {clash_type, remark_type});
   add_list("TopicStatuses", "TopicStatus", {open_status, closed_status});
-  add_list("TopicLabels", "TopicLabel", {"overlapping", "crossing", "touching", "clearance", "undecided"});
+  add_list(
+      "TopicLabels", "TopicLabel",
+      {"overlapping", "crossing", "touching", "clearance", "undecided", "protrude", "pierce", "contains", "equal"});
   add_list("Users", "User", {author});
   return text_of(document);
 }
@@ -127,6 +129,12 @@ void add_viewpoint(pugi::xml_node parent, const char* name, const std::string& t
   add_text_node(viewpoint, "Viewpoint", viewpoint_file);
 }
 
+void add_labels(BcfVersion version, pugi::xml_node topic, const std::vector<std::string>& labels) {
+  const bool is_list = version == BcfVersion::v3_0;
+  pugi::xml_node parent = is_list ? topic.append_child("Labels") : topic;
+  for (const std::string& label : labels) add_text_node(parent, is_list ? "Label" : "Labels", label);
+}
+
 std::string markup_xml(BcfVersion version, const Findings& findings, const ReportedPair& pair, std::size_t number,
                        const std::string& guid) {
   const Scene& scene = findings.input.loaded.scene;
@@ -135,10 +143,7 @@ std::string markup_xml(BcfVersion version, const Findings& findings, const Repor
   pugi::xml_node topic = begin_topic(markup, guid, clash_type, is_clash(pair) ? open_status : closed_status);
   add_text_node(topic, "Title", sentence_of(scene, pair));
   add_text_node(topic, "Index", fmt::format("{}", number));
-  if (version == BcfVersion::v2_1)
-    add_text_node(topic, "Labels", kind_of_finding(pair));
-  else
-    add_text_node(topic.append_child("Labels"), "Label", kind_of_finding(pair));
+  add_labels(version, topic, labels_of(pair, findings.report.has_volume));
   add_creation(topic);
   const std::vector<std::string> details = details_of(scene, pair, findings.report.baseline.has_value());
   if (!details.empty()) add_text_node(topic, "Description", fmt::format("{}", fmt::join(details, "\n")));

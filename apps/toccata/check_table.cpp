@@ -27,7 +27,7 @@ std::string near_text(const ReportedPair& pair) {
          (is_decided ? "" : " (undecided: within 10⁻¹² of its clearance)");
 }
 
-std::string verb_of(const FormerPair& pair) {
+std::string former_verb(const FormerPair& pair) {
   Relation relation;
   relation.kind = pair.kind;
   relation.containment = pair.containment;
@@ -60,27 +60,14 @@ std::string tolerance_text(const ReportedPair& pair) {
 /// How much they have in common, and where.
 std::string volume_line(const ReportedPair& pair) {
   if (!pair.volume) return "      no volume is known of what they have in common\n";
-  const OverlapVolume& volume = *pair.volume;
-  const std::string amount = volume.status == Status::exact
-                                 ? fmt::format("{:.6g}", volume.upper)
-                                 : fmt::format("between {:.6g} and {:.6g}", volume.lower, volume.upper);
-  return fmt::format("      volume {}{}\n", amount,
+  return fmt::format("      volume {}{}\n", volume_text(*pair.volume),
                      pair.common_point ? ", around " + point_text(*pair.common_point) : "");
-}
-
-/// As the field calls it, where that says more than the relation.
-std::string verb_of(const ReportedPair& pair) {
-  if (pair.piercing == ClashPiercing::a_through_b) return "pierces";
-  if (pair.piercing == ClashPiercing::b_through_a) return "is pierced by";
-  if (pair.kind == ClashKind::pierce) return "pierces or is pierced by";
-  if (pair.kind == ClashKind::protrude) return "protrudes into";
-  return verb_of(pair.relation);
 }
 
 /// How it stands against the baseline, with the relation of then where that was another.
 std::string since_and_before(const ReportedPair& pair, const std::string& verb) {
   const std::string since = since_text(pair);
-  const std::string before = pair.was ? verb_of(*pair.was) : verb;
+  const std::string before = pair.was ? former_verb(*pair.was) : verb;
   return before == verb ? since : since + " (before: " + before + ")";
 }
 
@@ -115,7 +102,7 @@ std::string reason_text(GoneReason reason) {
 std::string baseline_lines(const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
   for (const GonePair& pair : report.gone)
-    rows.push_back({"gone", printable(pair.was.a), verb_of(pair.was), printable(pair.was.b),
+    rows.push_back({"gone", printable(pair.was.a), former_verb(pair.was), printable(pair.was.b),
                     "(" + reason_text(pair.reason) + ")"});
   const auto count = [&](Since since) {
     return grouped(

@@ -59,6 +59,12 @@ Aabb box_of_contact_points(const ReportedPair& pair) {
   return box;
 }
 
+/// A point of both.
+std::optional<Place> common_place(const ReportedPair& pair) {
+  if (!pair.common_point) return std::nullopt;
+  return place_named("both hold a point", merge(Aabb{}, *pair.common_point));
+}
+
 /// As far as the answer tells it, the most telling first.
 std::optional<Place> told_place(const Scene& scene, const ReportedPair& pair) {
   if (is_near(pair)) {
@@ -72,8 +78,7 @@ std::optional<Place> told_place(const Scene& scene, const ReportedPair& pair) {
   if (const Aabb box = box_of_contact_points(pair); !is_empty(box)) return place_named("they are in contact", box);
   if (pair.penetration && pair.penetration->upper > 0)
     return place_between("the deepest points are", pair.penetration->on_a, pair.penetration->on_b);
-  if (pair.common_point) return place_named("both hold a point", merge(Aabb{}, *pair.common_point));
-  if (pair.relation.containment == Containment::none) return std::nullopt;
+  if (pair.relation.containment == Containment::none) return common_place(pair);
   const bool is_b_inside = pair.relation.containment == Containment::b_in_a;
   const std::optional<Aabb> box = inspect(scene.objects[is_b_inside ? pair.b : pair.a]).world_box;
   return box ? std::optional(place_named("the one inside lies", *box)) : std::nullopt;
@@ -108,6 +113,13 @@ std::string kind_of_finding(const ReportedPair& pair) {
   return is_near(pair) ? "clearance" : name_of(pair.relation.kind);
 }
 
+std::vector<std::string> labels_of(const ReportedPair& pair, bool has_volume) {
+  std::vector<std::string> labels{kind_of_finding(pair)};
+  const std::string kind = name_of(pair.kind);
+  if (has_volume && pair.kind != ClashKind::overlap && kind != labels[0]) labels.push_back(kind);
+  return labels;
+}
+
 std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
   const std::string a = printable(scene.objects[pair.a].name), b = printable(scene.objects[pair.b].name);
   if (is_near(pair) && pair.distance && !is_clash(pair))
@@ -115,14 +127,18 @@ std::string sentence_of(const Scene& scene, const ReportedPair& pair) {
   if (is_near(pair) && pair.distance)
     return fmt::format("{} and {} are nearer than their clearance: {}", a, b, distance_text(*pair.distance));
   const bool is_deep = pair.penetration && pair.penetration->upper > 0;
-  return fmt::format("{} {} {}{}{} {}", a, verb_of(pair.relation), b,
+  return fmt::format("{} {} {}{}{} {}", a, verb_of(pair), b,
                      is_deep ? ", " + depth_text(*pair.penetration, pair.depth_end, b) : "", verdict_text(pair),
                      pair.winding ? winding_text(*pair.winding) : remark_on(pair.relation));
 }
 
 std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline) {
   std::vector<std::string> details;
-  if (const std::optional<Place> place = told_place(scene, pair)) details.push_back(place->words);
+  const std::optional<Place> place = told_place(scene, pair), common = common_place(pair);
+  if (place) details.push_back(place->words);
+  if (pair.volume && pair.volume->upper > 0)
+    details.push_back(fmt::format("the volume that they have in common is {}", volume_text(*pair.volume)));
+  if (common && !(place && place->words == common->words)) details.push_back(common->words);
   if (!pair.regions.empty()) details.push_back(counted(pair.regions.size(), "region of contact", "regions of contact"));
   if (has_baseline) details.push_back("since the baseline: " + since_text(pair));
   return details;

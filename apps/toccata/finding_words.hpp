@@ -14,12 +14,17 @@ namespace toccata::command {
 /// "overlapping", "crossing", "touching", "clearance" or "undecided": what kind of finding it is.
 [[nodiscard]] std::string kind_of_finding(const ReportedPair& pair);
 
+/// What kind of clash it is: as above, and, of a report with volumes where that says more, "pierce", "protrude" and so
+/// on.
+[[nodiscard]] std::vector<std::string> labels_of(const ReportedPair& pair, bool has_volume);
+
 /// "left overlaps right, 0.5 deep along (1, 0, 0), beyond the tolerance (both solids)". Control characters in names are
-/// written out.
+/// written out. Where the kind of clash is known, it "pierces" or "protrudes into" the other.
 [[nodiscard]] std::string sentence_of(const Scene& scene, const ReportedPair& pair);
 
 /// What is told of a pair besides, a line each: where it is, as "the surfaces meet within the box from … to …" or "the
-/// deepest points are … and …", and how it stands against a baseline.
+/// deepest points are … and …", the volume that both have in common and a point of it, and how it stands against a
+/// baseline.
 [[nodiscard]] std::vector<std::string> details_of(const Scene& scene, const ReportedPair& pair, bool has_baseline);
 
 /// A box in the world to look at: around the points in which the two meet or are near, or the object that lies inside

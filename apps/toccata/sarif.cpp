@@ -56,6 +56,17 @@ void add_numbers(SarifJson& properties, const ReportedPair& pair) {
         {"value", pair.winding->value}, {"lower", pair.winding->lower}, {"upper", pair.winding->upper}};
 }
 
+/// What `--volume` asks for.
+void add_kind_and_volume(SarifJson& properties, const ReportedPair& pair) {
+  properties["kind"] = name_of(pair.kind);
+  if (pair.piercing != ClashPiercing::none) properties["piercing"] = name_of(pair.piercing);
+  if (pair.volume)
+    properties["volume"] = {{"lower", pair.volume->lower},
+                            {"upper", pair.volume->upper},  // null beyond all doubles
+                            {"status", name_of(pair.volume->status)}};
+  if (const auto& point = pair.common_point) properties["point"] = {point->x, point->y, point->z};
+}
+
 SarifJson result_of(const Findings& findings, const ReportedPair& pair) {
   const Scene& scene = findings.input.loaded.scene;
   const std::string &a = scene.objects[pair.a].name, &b = scene.objects[pair.b].name;
@@ -72,6 +83,7 @@ SarifJson result_of(const Findings& findings, const ReportedPair& pair) {
   if (pair.tolerance != ToleranceVerdict::none) properties["tolerance"] = name_of(pair.tolerance);
   if (const std::string by = tolerance_decided_by(pair); !by.empty()) properties["tolerance_by"] = by;
   add_numbers(properties, pair);
+  if (findings.report.has_volume) add_kind_and_volume(properties, pair);
   result["properties"] = std::move(properties);
   return result;
 }

@@ -69,6 +69,19 @@ std::string local_depth_text(const ReportedPair& pair) {
              : fmt::format("{} deep or more in one place", lower_bound_text(pair.local_depth->lower));
 }
 
+std::string volume_text(const OverlapVolume& volume) {
+  return volume.status == Status::exact ? fmt::format("{:.6g}", volume.upper)
+                                        : fmt::format("between {:.6g} and {:.6g}", volume.lower, volume.upper);
+}
+
+std::string verb_of(const ReportedPair& pair) {
+  if (pair.piercing == ClashPiercing::a_through_b) return "pierces";
+  if (pair.piercing == ClashPiercing::b_through_a) return "is pierced by";
+  if (pair.kind == ClashKind::pierce) return "pierces or is pierced by";
+  if (pair.kind == ClashKind::protrude) return "protrudes into";
+  return verb_of(pair.relation);
+}
+
 std::string winding_text(const WindingNumber& winding) {
   return fmt::format("(the mesh around it is open: by its generalised winding number, {:.3g})", winding.value);
 }

@@ -27,6 +27,12 @@ std::string depth_text(const Penetration& penetration);
 /// The same, with which of the two is moved along it, and why its bracket is wider than asked, where it is.
 std::string depth_text(const Penetration& penetration, DepthEnd end, const std::string& moved);
 
+/// How much two solids have in common: "0.5", or "between 0.4 and 0.6".
+std::string volume_text(const OverlapVolume& volume);
+
+/// "pierces", "protrudes into": as the field calls the clash, where its kind is known and says more than the relation.
+std::string verb_of(const ReportedPair& pair);
+
 /// What is said of a pair that a winding number decided, in place of what both are taken for.
 std::string winding_text(const WindingNumber& winding);
 

@@ -5,61 +5,25 @@
 #include <csignal>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
 
 #include "support/command.hpp"
+#include "support/stand_in_browser.hpp"
 
 namespace toccata {
 namespace {
 
+using test::drawing_script;
 using test::run_command;
-using test::TemporaryFolder;
+using test::StandInBrowser;
 using test::text_of;
 namespace fs = std::filesystem;
 
-/// What runs here finds this script as Chromium, and its temporary files in a folder with a trying name.
-class StandIn {
- public:
-  explicit StandIn(const std::string& script) {
-    const fs::path program = folder_.write("chromium", "#!/bin/sh\n" + script);
-    fs::permissions(program, fs::perms::owner_all);
-    fs::create_directory(temporary());
-    set("PATH", folder_.path().string() + ":" + path_);
-    set("TMPDIR", temporary().string());
-    set("SEEN", (folder_.path() / "seen").string());
-  }
-  ~StandIn() {
-    set("PATH", path_);
-    unsetenv("TMPDIR");
-    unsetenv("SEEN");
-  }
-  StandIn(const StandIn&) = delete;
-  StandIn& operator=(const StandIn&) = delete;
-
-  [[nodiscard]] const fs::path& folder() const { return folder_.path(); }
-  [[nodiscard]] fs::path temporary() const { return folder_.path() / "50 % #1?"; }
-  [[nodiscard]] std::string seen() const { return text_of(folder_.path() / "seen"); }
-
- private:
-  static void set(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
-
-  TemporaryFolder folder_;
-  std::string path_ = std::getenv("PATH");
-};
-
-/// Writes the begin of a PNG, which is all that is looked at.
-const std::string draws = R"(for word in "$@"; do case $word in
-  --screenshot=*) printf '\211PNG\r\n\032\n\000\000\000\rIHDR-----------------and the rest' > "${word#--screenshot=}" ;;
-  file://*) printf '%s' "$word" > "$SEEN" ;;
-esac; done
-)";
-
 TEST(Picture, IsMarkedAndReplacesOnlyItsOwn) {
-  const StandIn browser(draws);
+  const StandInBrowser browser(drawing_script());
   const auto draw = [&](const std::string& file) {
     return run_command({"view", "gen:box", "--png", file}, browser.folder());
   };
@@ -78,7 +42,7 @@ TEST(Picture, IsMarkedAndReplacesOnlyItsOwn) {
 }
 
 TEST(Picture, FoldersOfAnyNameHaveAnAddress) {
-  const StandIn browser(draws);
+  const StandInBrowser browser(drawing_script());
   EXPECT_EQ(run_command({"view", "gen:box", "--png", "a.png"}, browser.folder()).exit_code, 0);
   const std::string seen = browser.seen();
   EXPECT_NE(seen.find("/50%20%25%20%231%3F/toccata-"), std::string::npos) << seen;
@@ -87,7 +51,7 @@ TEST(Picture, FoldersOfAnyNameHaveAnAddress) {
 }
 
 TEST(Picture, OfABrowserThatDrawsNothingIsTold) {
-  const StandIn browser("exit 1\n");
+  const StandInBrowser browser("exit 1\n");
   const auto result = run_command({"view", "gen:box", "--png", "a.png"}, browser.folder());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("drew no picture"), std::string::npos) << result.err;
@@ -104,7 +68,7 @@ bool comes_true(const Condition& is_so) {
 
 TEST(Picture, InterruptedLeavesNothingBehind) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const StandIn browser("echo $$ > \"$SEEN.new\"; mv \"$SEEN.new\" \"$SEEN\"; sleep 100 & wait\n");
+    const StandInBrowser browser("echo $$ > \"$SEEN.new\"; mv \"$SEEN.new\" \"$SEEN\"; sleep 100 & wait\n");
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {

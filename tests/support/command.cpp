@@ -37,13 +37,15 @@ std::string command_file() {
   return of_environment != nullptr && *of_environment != '\0' ? of_environment : TOCCATA_COMMAND;
 }
 
-CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                          const std::filesystem::path& input) {
   const TemporaryFolder results;
   const std::filesystem::path out = results.path() / "out";
   const std::filesystem::path err = results.path() / "err";
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) {
+    if (!input.empty()) dup2(open(input.c_str(), O_RDONLY), STDIN_FILENO);
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
     become_command(words, folder);

@@ -15,8 +15,9 @@ struct CommandResult {
   std::string err;
 };
 
-/// Runs the built command with these words, in `folder`.
-CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
+/// Runs the built command with these words, in `folder`, with a file as its standard input or with this program's.
+CommandResult run_command(const std::vector<std::string>& words, const std::filesystem::path& folder = ".",
+                          const std::filesystem::path& input = {});
 
 /// Runs it with a terminal for its standard error, until `awaited` is seen there or it ends; then it is killed. Gives
 /// what was seen.
