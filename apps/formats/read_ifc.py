@@ -80,11 +80,12 @@ WAYS = (("IfcLocalPlacement", lambda placement: placement.PlacementRelTo, "place
 
 
 def require_ends(model):
+    """Raises Trouble where a way leads round; each element is passed once, whoever comes by it."""
     for kind, next_of, what in WAYS:
         ending = set()
         for one in model.by_type(kind):
             way = set()
-            while one is not None and one.id() not in ending | way:
+            while one is not None and one.id() not in ending and one.id() not in way:
                 way.add(one.id())
                 one = next_of(one)
             if one is not None and one.id() in way:

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "environment.hpp"
-#include "words.hpp"
 
 namespace toccata::command {
 
