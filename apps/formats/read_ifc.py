@@ -69,6 +69,30 @@ def places_of(element):
     return names[::-1]
 
 
+def whole_of(element):
+    """What it is a part of."""
+    return next((one.RelatingObject for one in getattr(element, "Decomposes", None) or () if hasattr(one, "RelatingObject")), None)
+
+
+# What IfcOpenShell follows to its end, wherever that is.
+WAYS = (("IfcLocalPlacement", lambda placement: placement.PlacementRelTo, "placed by way of itself"),
+        ("IfcObjectDefinition", whole_of, "a part of itself"))
+
+
+def require_ends(model):
+    """Raises Trouble where a way leads round; each element is passed once, whoever comes by it."""
+    for kind, next_of, what in WAYS:
+        ending = set()
+        for one in model.by_type(kind):
+            way = set()
+            while one is not None and one.id() not in ending and one.id() not in way:
+                way.add(one.id())
+                one = next_of(one)
+            if one is not None and one.id() in way:
+                raise Trouble(f"#{one.id()} ({one.is_a()}) in it is {what}; export it again")
+            ending |= way
+
+
 class Scene:
     def __init__(self, source):
         self.source, self.objects, self.meshes, self.taken = source, [], {}, set()
@@ -93,16 +117,40 @@ class Scene:
         return {"format": "toccata-scene", "version": 1, "unit": "m", "objects": self.objects, "meshes": self.meshes}
 
 
+def require_end(file):
+    """IfcOpenShell reads what is there of a file that was cut off between two entities."""
+    with open(file, "rb") as stream:
+        begin = stream.read(64)
+        stream.seek(max(0, stream.seek(0, 2) - 65536))
+        if b"ISO-10303-21" in begin and b"END-ISO-10303-21" not in stream.read():
+            raise Trouble("this is no whole IFC file: its last line, END-ISO-10303-21, is missing; export it again")
+
+
+def opened(ifcopenshell, file):
+    """The model, and what could not be read of it, by the log, whose form differs by version."""
+    logged = getattr(ifcopenshell, "get_log", str)
+    logged()  # what was there before
+    try:
+        model, trouble = ifcopenshell.open(file), None
+    except Exception as error:  # its kinds, too, differ by version
+        model, trouble = None, error
+    damages = [re.sub(r"^(\[[^]]*\] *)+", "", line) for line in logged().splitlines()
+               if re.search(r"^\[error\]|\"level\": *\"error\"|Overwriting instance", line, re.IGNORECASE)]
+    if trouble:
+        said = damages[-1] if damages else " ".join(str(trouble).split())
+        raise Trouble(f"this is no whole IFC file: {said}; export it again") from trouble
+    return model, damages
+
+
 def convert(file, scene_file, tessellation):
     try:
         import ifcopenshell
         import ifcopenshell.geom
     except ImportError as error:
         raise Trouble(f"to read it takes IfcOpenShell, which is not there ({error}): pip install ifcopenshell") from error
-    try:
-        model = ifcopenshell.open(file)
-    except (OSError, RuntimeError) as error:
-        raise Trouble(f"this is no whole IFC file: {' '.join(str(error).split())}; export it again") from error
+    require_end(file)
+    model, damages = opened(ifcopenshell, file)
+    require_ends(model)
     settings = ifcopenshell.geom.settings()
     for name in ("mesher-linear-deflection", "MESHER_LINEAR_DEFLECTION"):
         try:
@@ -123,6 +171,10 @@ def convert(file, scene_file, tessellation):
         raise Trouble("no element in it has a shape; export it with its geometry")
     with open(scene_file, "w", encoding="utf-8") as out:
         json.dump(scene.json(), out)
+    if damages:
+        one = len(damages) == 1
+        print(f"{'1 entity' if one else f'{len(damages)} entities'} in it {'is' if one else 'are'} damaged ({damages[0]}): "
+              f"what {'it describes' if one else 'they describe'} may be missing or another")
     tell(model, scene, len(left_out), tessellation)
 
 
@@ -153,7 +205,9 @@ def main(words):
         return 0
     except Trouble as trouble:
         print(trouble, file=sys.stderr)
-        return 2
+    except Exception as error:  # any attribute of a damaged file may be of another kind than the standard says
+        print(f"what it holds is not as the standard says ({type(error).__name__}: {' '.join(str(error).split())}); export it again", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

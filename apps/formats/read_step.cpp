@@ -11,12 +11,18 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Interface_CheckIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Poly_Triangulation.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
 #include <TDataStd_Name.hxx>
@@ -36,6 +42,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -259,6 +266,48 @@ void tell_unit(STEPCAFControl_Reader& reader) {
       fmt::print("its unit is the {}; here it is in millimetres\n", unit);
 }
 
+using Product = Handle(StepBasic_ProductDefinition);
+
+std::string name_of(const Product& product) {
+  const auto formation = product->Formation();
+  const auto named = formation.IsNull() ? nullptr : formation->OfProduct();
+  return named.IsNull() || named->Name().IsNull() ? "without a name" : named->Name()->ToCString();
+}
+
+/// Which products an assembly holds, in the order of the file.
+using ProductTree = std::map<Product, std::vector<Product>>;
+
+ProductTree products_of(STEPCAFControl_Reader& reader) {
+  ProductTree parts;
+  const Handle(Interface_InterfaceModel) model = reader.ChangeReader().WS()->Model();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto use = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+    if (use.IsNull() || use->RelatingProductDefinition().IsNull() || use->RelatedProductDefinition().IsNull()) continue;
+    parts[use->RelatingProductDefinition()].push_back(use->RelatedProductDefinition());
+  }
+  return parts;
+}
+
+/// Depth first; `above` are the assemblies that hold this one, `done` those below which there is no circle.
+void require_an_end(const ProductTree& parts, const Product& product, std::set<Product>& above,
+                    std::set<Product>& done) {
+  if (done.contains(product)) return;
+  if (!above.insert(product).second)
+    throw std::runtime_error(
+        fmt::format("its assembly '{}' is a part of itself, so that it has no end; export it again", name_of(product)));
+  if (const auto held = parts.find(product); held != parts.end())
+    for (const Product& part : held->second) require_an_end(parts, part, above, done);
+  above.erase(product);
+  done.insert(product);
+}
+
+/// Open CASCADE leaves out what hangs on an assembly within itself, and says nothing.
+void require_an_end(STEPCAFControl_Reader& reader) {
+  const ProductTree parts = products_of(reader);
+  std::set<Product> above, done;
+  for (const auto& [product, held] : parts) require_an_end(parts, product, above, done);
+}
+
 /// Entities that are not as the standard says: what they describe may be missing.
 std::size_t broken_entities(STEPCAFControl_Reader& reader) {
   std::size_t count = 0;
@@ -275,6 +324,7 @@ void convert(const Arguments& arguments) {
   reader.SetNameMode(Standard_True);
   if (reader.ReadFile(arguments.file.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("this is no whole STEP file (ISO 10303-21); export it again");
+  require_an_end(reader);
   Handle(TDocStd_Document) document;
   XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
   if (!reader.Transfer(document)) throw std::runtime_error("nothing in it could be read as a product; export it again");

@@ -5,15 +5,19 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <algorithm>
-#include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
+#include "environment.hpp"
 #include "file_text.hpp"
 #include "installed_program.hpp"
 #include "temporary_folder.hpp"
@@ -72,7 +76,30 @@ std::string program_of(const Converter& converter, const std::string& file) {
                   file, converter.what, line, converter.format, name));
 }
 
-int status_of(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
+/// How long a program may take: a damaged file may lead it round for ever.
+Seconds patience() {
+  using namespace std::chrono_literals;
+  return seconds_of_environment("TOCCATA_READER_SECONDS", 1h, 365 * 24h, "a year");
+}
+
+/// Its status, or none where it took too long, and was ended.
+std::optional<int> awaited(pid_t process, Seconds patience) {
+  constexpr std::chrono::milliseconds shortest(1), longest(20);
+  const auto end = std::chrono::steady_clock::now() + patience;
+  int status = 0;
+  for (auto pause = shortest; waitpid(process, &status, WNOHANG) == 0; pause = std::min(longest, 2 * pause)) {
+    if (std::chrono::steady_clock::now() > end) {
+      kill(process, SIGKILL);
+      waitpid(process, &status, 0);
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+  return status;
+}
+
+std::optional<int> status_of(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
+  const Seconds longest = patience();
   std::vector<std::string> copies = words;
   std::vector<char*> pointers;
   for (std::string& word : copies) pointers.push_back(word.data());
@@ -86,10 +113,7 @@ int status_of(const std::vector<std::string>& words, const fs::path& out, const 
   const int code = posix_spawn(&process, words[0].c_str(), &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
+  return awaited(process, longest);
 }
 
 std::vector<std::string> lines_in(const std::string& text) {
@@ -98,6 +122,24 @@ std::vector<std::string> lines_in(const std::string& text) {
   for (std::string line; std::getline(stream, line);)
     if (!line.empty()) lines.push_back(line);
   return lines;
+}
+
+void require_success(const std::string& path, const Converter& converter, std::optional<int> status,
+                     const fs::path& err) {
+  if (!status)
+    throw Error(
+        fmt::format("{}: {} has not come to an end with it, and was ended: the file is damaged, or takes longer than "
+                    "{:g} s; TOCCATA_READER_SECONDS in the environment gives it more",
+                    path, converter.what, patience().count()));
+  if (WIFSIGNALED(*status))
+    throw Error(
+        fmt::format("{}: {} broke down over it (signal {}): the file is damaged, or takes more than it can; "
+                    "export it again",
+                    path, converter.what, WTERMSIG(*status)));
+  if (WEXITSTATUS(*status) == 0) return;
+  const std::vector<std::string> said = lines_in(text_of_file(err));
+  throw Error(
+      fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
 }
 
 ConvertedScene read_by_program(const std::string& path, const Converter& converter, const Conversion& conversion) {
@@ -109,17 +151,7 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
   std::vector<std::string> words = {program, path, scene.string()};
   if (!conversion.tessellation.empty() && converter.has_curved_faces)
     words.insert(words.end(), {"--tessellation", conversion.tessellation});
-  const int status = status_of(words, out, err);
-  if (WIFSIGNALED(status))
-    throw Error(
-        fmt::format("{}: {} broke down over it (signal {}): the file is damaged, or takes more than it can; "
-                    "export it again",
-                    path, converter.what, WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0) {
-    const std::vector<std::string> said = lines_in(text_of_file(err));
-    throw Error(
-        fmt::format("{}: {}", path, said.empty() ? fmt::format("{} could not read it", converter.what) : said.back()));
-  }
+  require_success(path, converter, status_of(words, out, err), err);
   ConvertedScene converted{read_scene(scene.string(), {.scale = conversion.scale}), {}};
   if (conversion.metres_per_unit) {
     converted.scene = scaled(std::move(converted.scene), *conversion.metres_per_unit);

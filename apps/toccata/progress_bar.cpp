@@ -3,32 +3,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "toccata/core/error.hpp"
-#include "words.hpp"
+#include "environment.hpp"
 
 namespace toccata::command {
 
 namespace {
 
 /// How often a line is told where there is no terminal.
-std::chrono::duration<double> line_pause() {
-  constexpr double minute = 60, day = 86'400;
-  const char* const word = std::getenv("TOCCATA_PROGRESS_SECONDS");
-  if (word == nullptr || *word == '\0') return std::chrono::duration<double>(minute);
-  double seconds = 0;
-  const char* const end = word + std::string_view(word).size();
-  const auto [rest, error] = std::from_chars(word, end, seconds);
-  if (error != std::errc{} || rest != end || !(seconds > 0) || seconds > day)
-    throw Error(fmt::format("TOCCATA_PROGRESS_SECONDS is '{}': give seconds above 0, at most a day, or leave it out",
-                            printable(word)));
-  return std::chrono::duration<double>(seconds);
+Seconds line_pause() {
+  using namespace std::chrono_literals;
+  return seconds_of_environment("TOCCATA_PROGRESS_SECONDS", 1min, 24h, "a day");
 }
 
 std::string duration_text(double seconds) {
@@ -40,7 +27,7 @@ std::string duration_text(double seconds) {
 ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)),
       terminal_(isatty(STDERR_FILENO) != 0),
-      line_pause_(terminal_ ? std::chrono::duration<double>{} : line_pause()),
+      line_pause_(terminal_ ? Seconds{} : line_pause()),
       shower_([this] { keep_showing(); }) {}
 
 ProgressBar::~ProgressBar() {
