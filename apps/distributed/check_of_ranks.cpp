@@ -143,20 +143,25 @@ class FilesOverRanks {
   ToldFiles told_;
 };
 
-/// The part of the first open mesh is read once more: what would close it is seen in its shape.
+/// The parts of the first open meshes are read once more: what keeps these from being closed is seen in their shapes.
 void warn_of_told_meshes(FilesOverRanks& files) {
   ToldFiles& told = files.told();
-  const auto is_open = [](const ToldObject& object) { return object.is_open; };
-  const auto first = static_cast<std::size_t>(std::ranges::find_if(told.objects, is_open) - told.objects.begin());
-  if (first == told.objects.size()) return;
   std::vector<std::string> open;
-  for (std::size_t i = first; i < told.objects.size(); ++i)
-    if (told.objects[i].is_open) open.push_back(told.loaded.scene.objects[i].name);
+  std::vector<SceneInstance> shown;
+  PartRead read;
+  std::optional<std::size_t> part_read;
   const std::vector<std::size_t>& first_of = told.loaded.first_object;
-  const auto part = static_cast<std::size_t>(std::ranges::upper_bound(first_of, first) - first_of.begin()) - 1;
-  SceneInstance model = files.read(part).models[first - first_of[part]];
-  model.name = open.front();
-  warn_of_open_meshes(told.loaded, open, model);
+  for (std::size_t i = 0; i < told.objects.size(); ++i) {
+    if (!told.objects[i].is_open) continue;
+    open.push_back(told.loaded.scene.objects[i].name);
+    if (shown.size() == most_told_open_meshes) continue;
+    const auto part = static_cast<std::size_t>(std::ranges::upper_bound(first_of, i) - first_of.begin()) - 1;
+    if (part != part_read) read = files.read(part);
+    part_read = part;
+    shown.push_back(read.models[i - first_of[part]]);
+    shown.back().name = open.back();
+  }
+  if (!open.empty()) warn_of_open_meshes(told.loaded, open, shown);
 }
 
 /// With the warnings of one process, in their order; rank 0 prints those that come before the work.

@@ -11,6 +11,7 @@
 #include "toccata/io/model_file.hpp"
 #include "toccata/io/query_files.hpp"
 #include "toccata/query/check_all.hpp"
+#include "toccata/reports/report.hpp"
 #include "toccata/shapes/close_mesh.hpp"
 #include "toccata/shapes/mesh_health.hpp"
 #include "words.hpp"
@@ -58,18 +59,37 @@ bool is_mesh_taken_as_it_is(const SceneInstance& posed) {
   return posed.solid == Solid::automatic && kind_of(posed.model.shape()) == ShapeKind::mesh;
 }
 
-/// By which gap the mesh would be closed, where one that is not large does; empty where none does, or it would take
-/// long to find out.
-std::string how_to_close(const SceneInstance& posed) {
-  constexpr Index most_triangles = 200'000;
+/// What is out of order in a mesh that is not closed.
+std::string faults_text(const MeshHealth& health) {
+  std::vector<std::string> faults;
+  const auto add = [&](std::size_t count, const char* one, const char* several) {
+    if (count > 0) faults.push_back(counted(count, one, several));
+  };
+  add(health.boundary_edges, "boundary edge", "boundary edges");
+  add(health.non_manifold_edges, "non-manifold edge", "non-manifold edges");
+  add(health.flipped_edges, "edge of inconsistent winding", "edges of inconsistent winding");
+  add(health.duplicate_triangles, "duplicate face", "duplicate faces");
+  return fmt::format("{}", fmt::join(faults, ", "));
+}
+
+/// A gap in the world as --close takes it.
+std::string close_option(double gap, const std::string& unit) {
+  if (unit == "unit" || unit.ends_with(" m")) return upper_bound_text(gap, 2);
+  const bool is_small = unit == "m" && gap < 1;
+  return upper_bound_text(is_small ? 1000 * gap : gap, 2) + (is_small ? "mm" : unit);
+}
+
+enum class ClosingGap { looked_for, left_out };
+
+/// What keeps the mesh from being closed, and which gap closes it, where one that is not large does.
+std::string open_mesh_text(const SceneInstance& posed, const std::string& unit, ClosingGap looked_for) {
   const TriangleMesh& mesh = posed.model.mesh();
-  if (mesh.triangle_count() > most_triangles) return {};
-  if (const std::string winding = only_winding_text(inspect(mesh)); !winding.empty())
-    return fmt::format("of {} {}; ", posed.name, winding);
-  const std::optional<double> gap = closing_gap(mesh);
-  if (!gap) return {};
-  return fmt::format("{} has {} and is closed by --close {:.2g}; ", posed.name,
-                     counted(inspect(mesh).boundary_edges, "boundary edge"), *gap);
+  const MeshHealth health = inspect(mesh);
+  if (const std::string winding = only_winding_text(health); !winding.empty())
+    return fmt::format("{}: {}", posed.name, winding);
+  const std::optional<double> gap = looked_for == ClosingGap::looked_for ? closing_gap(mesh) : std::nullopt;
+  return fmt::format("{} has {}{}", posed.name, faults_text(health),
+                     gap ? " and is closed by --close " + close_option(*gap * stretch_of(posed.pose), unit) : "");
 }
 
 }  // namespace
@@ -104,29 +124,35 @@ void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for) {
     if (is_mesh_taken_as_it_is(input.models[i])) static_cast<void>(input.models[i].model.closed());
   });
   std::vector<std::string> open;
-  const SceneInstance* first_open = nullptr;
+  std::vector<SceneInstance> told;
   for (const SceneInstance& posed : input.models)
     if (is_open_mesh(posed)) {
       open.push_back(posed.name);
-      if (first_open == nullptr) first_open = &posed;
+      if (told.size() < most_told_open_meshes) told.push_back(posed);
     }
-  if (first_open != nullptr) warn_of_open_meshes(input.loaded, open, *first_open, taken_for);
+  if (!open.empty()) warn_of_open_meshes(input.loaded, open, told, taken_for);
 }
 
-void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open, const SceneInstance& first,
+void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open, std::span<const SceneInstance> told,
                          OpenMeshes taken_for) {
-  constexpr std::size_t most_names = 5;
-  const std::size_t shown = std::min(open.size(), most_names);
+  constexpr std::size_t most_triangles = 200'000;  // for so many it does not take long to find out what closes them
   const bool is_one = open.size() == 1;
   const std::string taken =
       taken_for == OpenMeshes::by_winding
           ? "and what lies inside is told by the winding number, undecided"
           : fmt::format("and taken as surface{}, which contain{} nothing", is_one ? "" : "s", is_one ? "s" : "");
+  const std::string more =
+      told.size() < open.size() ? fmt::format(", and {} more", grouped(open.size() - told.size())) : "";
   loaded.warnings.push_back(fmt::format(
-      "{} of {} {} open {}: {}{} ({}inspect tells why{})", open.size(), counted(loaded.scene.objects.size(), "object"),
-      is_one ? "is" : "are", taken, fmt::join(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-      shown < open.size() ? ", …" : "", how_to_close(first),
+      "{} of {} {} open {}: {}{} (inspect tells more{})", open.size(), counted(loaded.scene.objects.size(), "object"),
+      is_one ? "is" : "are", taken, fmt::join(open.first(told.size()), ", "), more,
       taken_for == OpenMeshes::by_winding ? "" : "; --solid=none says that surfaces are meant"));
+  std::size_t triangles = 0;
+  for (const SceneInstance& posed : told) {
+    triangles += posed.model.mesh().triangle_count();
+    const ClosingGap gap = triangles <= most_triangles ? ClosingGap::looked_for : ClosingGap::left_out;
+    loaded.warnings.push_back(open_mesh_text(posed, loaded.scene.unit, gap));
+  }
 }
 
 void warn_at_once(LoadedScene& loaded, const std::vector<std::string>& warnings) {

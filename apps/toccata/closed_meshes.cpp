@@ -19,15 +19,6 @@ namespace {
 
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
-/// How many times as long a pose makes a length at most; of a turn it is 1, up to rounding.
-double stretch_of(const Pose& pose) {
-  const std::array<double, 12> n = pose.numbers();
-  double longest = 0;
-  for (std::size_t column = 0; column < 3; ++column)
-    longest = std::max(longest, std::hypot(n[column], n[column + 3], n[column + 6]));
-  return longest;
-}
-
 /// What was done, in the order of counting.
 std::string repair_text(const MeshRepair& repair) {
   return fmt::format("{} of its boundary moved, {} collapsed, {} filled by {}",
@@ -47,12 +38,21 @@ std::string told(const std::string& name, const RepairedMesh& made) {
 
 }  // namespace
 
+double stretch_of(const Pose& pose) {
+  const std::array<double, 12> n = pose.numbers();
+  double longest = 0;
+  for (std::size_t column = 0; column < 3; ++column)
+    longest = std::max(longest, std::hypot(n[column], n[column + 3], n[column + 6]));
+  return longest;
+}
+
 void close_meshes(LoadedScene& loaded, const InputArguments& input) {
   if (input.close.empty()) return;
   const double gap = read_length("--close", input.close, length_units(loaded.scene, input), Longest::finite);
   if (!(gap > 0)) throw Error(fmt::format("--close {}: a gap is a length above 0", input.close));
   std::map<std::pair<SharedMesh, double>, RepairedMesh> known;
   std::map<std::pair<SharedMesh, double>, SharedMesh> closed;
+  std::vector<std::string> repairs;
   for (SceneObject& object : loaded.scene.objects) {
     auto* mesh = std::get_if<SharedMesh>(&object.shape);
     const double stretch = stretch_of(object.pose);
@@ -62,9 +62,13 @@ void close_meshes(LoadedScene& loaded, const InputArguments& input) {
       found->second = close_mesh(**mesh, gap / stretch);
       closed[found->first] = std::make_shared<const TriangleMesh>(found->second.mesh);
     }
-    loaded.warnings.push_back(told(object.name, found->second));
+    repairs.push_back(told(object.name, found->second));
     *mesh = closed.at(found->first);
   }
+  loaded.warnings.push_back(fmt::format(
+      "--close: gaps of at most {} are closed, {}", length_text(gap, loaded.scene.unit),
+      repairs.empty() ? "and no mesh is open" : "in " + counted(repairs.size(), "open mesh", "open meshes")));
+  loaded.warnings.insert(loaded.warnings.end(), repairs.begin(), repairs.end());
 }
 
 }  // namespace toccata::command

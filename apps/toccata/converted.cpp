@@ -179,6 +179,11 @@ bool states_its_unit(const std::string& path) {
   return is_converted(path) || lower_extension(path) == ".json";
 }
 
+bool may_be_curved(const std::string& path) {
+  const Converter* converter = converter_of(path);
+  return converter != nullptr && converter->has_curved_faces;
+}
+
 ConvertedScene read_converted(const std::string& path, const Conversion& conversion) {
   if (const Converter* converter = converter_of(path)) return read_by_program(path, *converter, conversion);
   ConvertedScene converted = read_three_mf(path);

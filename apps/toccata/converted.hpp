@@ -23,6 +23,9 @@ enum class FormatsOf { commands, folders };
 /// files.
 [[nodiscard]] bool states_its_unit(const std::string& path);
 
+/// Whether a file of that name may have curved faces, which --tessellation is about.
+[[nodiscard]] bool may_be_curved(const std::string& path);
+
 /// How it is read.
 struct Conversion {
   double scale = 1;

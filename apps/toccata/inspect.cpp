@@ -44,7 +44,8 @@ std::string open_text(const InspectedObject& object) {
         "{}, and none of the gaps up to a fiftieth of its size closes it (--close): faces are missing, "
         "or it is meant to be a surface",
         holes);
-  return fmt::format("{}; gaps of {:.2g} in file units closed, it is watertight (--close)", holes, *object.closing_gap);
+  return fmt::format("{}; gaps of {} in file units closed, it is watertight (--close)", holes,
+                     upper_bound_text(*object.closing_gap, 2));
 }
 
 /// Only what is there is worth a line.

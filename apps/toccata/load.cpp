@@ -166,8 +166,23 @@ ConvertedScene read_as_it_is(const std::string& file, const fs::path& path, cons
   return {read_scene(path.string(), options), {}};
 }
 
+/// One whose extension tells its format.
+std::string name_with_format(const std::string& file, const InputArguments& input) {
+  return file == standard_input ? "input." + input.format : file;
+}
+
 bool has_its_own_unit(const std::string& file, const InputArguments& input) {
-  return states_its_unit(file == standard_input ? "input." + input.format : file);
+  return states_its_unit(name_with_format(file, input));
+}
+
+/// The reader of a curved file tells how near its triangles are.
+void warn_of_idle_tessellation(LoadedScene& loaded, const InputArguments& input) {
+  const auto is_curved = [&](const std::string& file) { return may_be_curved(name_with_format(file, input)); };
+  if (input.tessellation.empty() || std::any_of(input.files.begin(), input.files.end(), is_curved)) return;
+  loaded.warnings.push_back(
+      fmt::format("--tessellation {} changes nothing: it is about the curved faces of STEP and IFC files, and none of "
+                  "the files is such",
+                  input.tessellation));
 }
 
 /// Of the unit of a scene, which is no "unit".
@@ -313,6 +328,7 @@ LoadedScene joined(const InputArguments& input, const std::map<std::string, Conv
   SharedMeshes().share(loaded.scene);
   loaded.first_object.push_back(loaded.scene.objects.size());
   loaded.first_node.push_back(loaded.scene.nodes.size());
+  warn_of_idle_tessellation(loaded, input);
   for (std::string& warning : scale_warnings(loaded.scene)) loaded.warnings.push_back(std::move(warning));
   loaded.scaled_by = rounding_factor(input);
   return loaded;

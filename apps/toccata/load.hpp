@@ -24,8 +24,11 @@ struct LoadedScene {
                             ///< say; empty where that changed no digit
 };
 
-/// Closes the gaps of the open meshes as --close says, and warns of each what was done. Throws Error for what is no
-/// length.
+/// How many times as long a pose makes a length at most; of a turn it is 1, up to rounding.
+[[nodiscard]] double stretch_of(const Pose& pose);
+
+/// Closes the gaps of the open meshes as --close says, and warns of how wide that is in the scene's unit, and of each
+/// mesh what was done. Throws Error for what is no length.
 void close_meshes(LoadedScene& loaded, const InputArguments& input);
 
 /// Throws Error where --unit is about none of the files.

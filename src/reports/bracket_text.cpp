@@ -19,7 +19,7 @@ int decade_of(double x) { return static_cast<int>(std::floor(std::log10(x))); }
 /// A bound with as many digits. The page has the same rule (apps/viewer/src/words.ts).
 std::string rounded(double x, int digits, Outward way) {
   constexpr int least_decade = -300;  // of what can be divided by
-  constexpr double noise = 1e-12;
+  constexpr double noise = 1e-9;
   if (!(x > 0)) return "0";
   const double step = std::pow(10, std::max(decade_of(x) - digits + 1, least_decade));
   const double steps = way == Outward::up ? std::ceil(x / step * (1 - noise)) : std::floor(x / step * (1 + noise));

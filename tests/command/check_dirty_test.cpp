@@ -60,7 +60,7 @@ TEST_F(CheckDirty, OfTrianglesThatAreWoundAgainstEachOtherItIsToldThatNoneIsMiss
   EXPECT_NE(inspected.find("open"), std::string::npos);
   EXPECT_NE(inspected.find(what), std::string::npos) << inspected;
   EXPECT_EQ(inspected.find("hole or rim"), std::string::npos) << inspected;
-  EXPECT_NE(run({"check", "turned.obj", "screw.obj"}).err.find("of turned " + what), std::string::npos);
+  EXPECT_NE(run({"check", "turned.obj", "screw.obj"}).err.find("turned: " + what), std::string::npos);
   EXPECT_NE(run({"check", "turned.obj", "screw.obj", "--close", "0.01"})
                 .err.find("turned is still open after --close, which turns no triangle: " + what),
             std::string::npos);
@@ -70,6 +70,59 @@ TEST_F(CheckDirty, CheckTellsWhichGapClosesAMesh) {
   const auto result = run({"check", "crack.obj", "screw.obj"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.err.find("crack has 8 boundary edges and is closed by --close"), std::string::npos) << result.err;
+}
+
+/// The gap that is told, as the option takes it.
+std::string told_gap(const std::string& err) {
+  const std::string before = " is closed by --close ";
+  const std::size_t at = err.find(before);
+  return at == std::string::npos ? "" : err.substr(at + before.size(), err.find('\n', at) - at - before.size());
+}
+
+TEST_F(CheckDirty, TheGapThatIsToldClosesTheMeshInWhateverUnit) {
+  for (const Words& how : std::vector<Words>{{}, {"--unit", "mm"}, {"--unit", "in"}, {"--scale", "700"}}) {
+    Words words{"check", "crack.obj", "screw.obj"};
+    words.insert(words.end(), how.begin(), how.end());
+    const std::string gap = told_gap(run(words).err);
+    ASSERT_FALSE(gap.empty());
+    words.insert(words.end(), {"--close", gap});
+    const std::string err = run(words).err;
+    EXPECT_NE(err.find("crack was closed by --close"), std::string::npos) << gap << "\n" << err;
+  }
+}
+
+TEST_F(CheckDirty, EachOfTheFirstOpenMeshesIsToldWithWhatKeepsItFromBeingClosed) {
+  // One side of the tetrahedron twice, and a fin at an edge of it.
+  folder.write("fin.obj", test::text_of(folder.path() / "screw.obj") + "v 0.6 0.6 0.6\nf 1 3 2\nf 1 2 5\n");
+  // A square of two triangles, one of which looks down.
+  folder.write("twisted.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
+  const Json fin = report({"inspect", "fin.obj"})["objects"][0],
+             twisted = report({"inspect", "twisted.obj"})["objects"][0];
+  ASSERT_GT(fin["non_manifold_edges"], 1);
+  ASSERT_EQ(fin["duplicate_triangles"], 1);
+  ASSERT_EQ(twisted["flipped_edges"], 1);
+  const auto counted = [](const Json& object, const char* field) { return std::to_string(object[field].get<int>()); };
+  const std::string err = run({"check", "open.obj", "fin.obj", "twisted.obj", "screw.obj"}).err;
+  EXPECT_NE(err.find("3 of 4 objects are open and taken as surfaces, which contain nothing: open, fin, twisted ("),
+            std::string::npos)
+      << err;
+  for (const std::string& line :
+       {std::string("open has 4 boundary edges\n"),
+        "fin has " + counted(fin, "boundary_edges") + " boundary edges, " + counted(fin, "non_manifold_edges") +
+            " non-manifold edges, 1 duplicate face",
+        "twisted has " + counted(twisted, "boundary_edges") + " boundary edges, 1 edge of inconsistent winding"})
+    EXPECT_NE(err.find("warning: " + line), std::string::npos) << line << "\n" << err;
+  EXPECT_EQ(err.find("screw has"), std::string::npos) << err;
+}
+
+TEST_F(CheckDirty, OfManyOpenMeshesTheFirstFewAreTold) {
+  const Words words{"check", "open.obj", "open.obj", "open.obj", "open.obj", "open.obj", "open.obj", "open.obj"};
+  const std::string err = run(words).err;
+  std::size_t told = 0;
+  for (std::size_t at = err.find(" boundary edges"); at != std::string::npos; at = err.find(" boundary edges", at + 1))
+    ++told;
+  EXPECT_EQ(told, 5U) << err;
+  EXPECT_NE(err.find(", and 2 more (inspect tells more"), std::string::npos) << err;
 }
 
 TEST_F(CheckDirty, CloseMakesASolidAndSaysWhatItDid) {
@@ -95,6 +148,27 @@ TEST_F(CheckDirty, CloseIsALengthInTheUnitOfTheFiles) {
   EXPECT_EQ(run({"check", "crack.obj", "screw.obj", "--close", "0"}).exit_code, 2);
   EXPECT_NE(run({"check", "open.obj", "screw.obj", "--close", "0.001"}).err.find("open is still open after --close"),
             std::string::npos);
+}
+
+TEST_F(CheckDirty, HowWideAGapIsClosedIsToldOnceInTheUnitOfTheScene) {
+  const auto told = [&](Words words, const std::string& what) {
+    words.insert(words.begin(), "check");
+    const std::string err = run(words).err;
+    EXPECT_NE(err.find("--close: gaps of at most " + what + "\n"), std::string::npos) << what << "\n" << err;
+    EXPECT_EQ(err.find("--close: gaps"), err.rfind("--close: gaps")) << err;
+  };
+  told({"crack.obj", "screw.obj", "--close", "0.001"}, "0.001 are closed, in 1 open mesh");
+  told({"crack.obj", "open.obj", "--unit", "mm", "--close", "0.001"}, "0.001 mm are closed, in 2 open meshes");
+  told({"crack.obj", "screw.obj", "--unit", "m", "--close", "2in"}, "50.8 mm are closed, in 1 open mesh");
+  told({"screw.obj", "screw.obj", "--unit", "cm", "--close", "500"}, "5 m are closed, and no mesh is open");
+}
+
+TEST_F(CheckDirty, ATessellationOfFilesWithoutCurvedFacesIsToldToChangeNothing) {
+  const std::string err = run({"check", "crack.obj", "screw.obj", "--tessellation", "1mm"}).err;
+  EXPECT_NE(err.find("--tessellation 1mm changes nothing: it is about the curved faces of STEP and IFC files"),
+            std::string::npos)
+      << err;
+  EXPECT_EQ(run({"check", "crack.obj", "screw.obj"}).err.find("tessellation"), std::string::npos);
 }
 
 TEST_F(CheckDirty, AReportOfClosedMeshesIsAskedAgain) {

@@ -182,7 +182,8 @@ TEST(ViewPage, LengthsHaveSegmentsAndNumbers) {
   EXPECT_EQ(labels, (std::vector<std::string>{"depth 0.5", "distance 3.0"}));
   const Json& depth = page.report["pairs"][0]["penetration"];
   for (const Json& layer : page.header["layers"])
-    if (layer["role"] == "depth" && layer.contains("length")) EXPECT_EQ(layer["lower_length"], depth["lower"]);
+    EXPECT_EQ(layer.value("lower_length", depth["lower"]), depth["lower"]);
+  EXPECT_EQ(std::ranges::count_if(page.header["layers"], [](const Json& l) { return l.contains("lower_length"); }), 1);
   EXPECT_EQ(page.report["unit"], "mm");
 }
 

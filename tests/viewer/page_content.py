@@ -25,4 +25,4 @@ def tells_depth(text, depth):
     if found[1] is None:
         return abs(most - upper) <= 1e-5 * upper and abs(most - lower) <= 1e-5 * upper
     least, wider = float(found[1]), upper - lower + 2e-5 * upper
-    return least <= lower * (1 + 1e-11) and upper * (1 - 1e-11) <= most and most - least <= 1.3 * wider
+    return least <= lower * (1 + 2e-9) and upper * (1 - 2e-9) <= most and most - least <= 1.3 * wider

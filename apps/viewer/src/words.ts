@@ -17,11 +17,11 @@ const mostDigits = 6;
 /// The exponent of the greatest power of ten that is no more than x.
 const decadeOf = (x: number) => Math.floor(Math.log10(x));
 
-/// A bound with as many digits. A part in 10¹² of it is taken for its rounding.
+/// A bound with as many digits. A part in 10⁹ of it is taken for its rounding.
 function roundedOutward(x: number, digits: number, way: 'down' | 'up'): string {
   if (!(x > 0)) return '0';
   const step = 10 ** Math.max(decadeOf(x) - digits + 1, -300);
-  const steps = way === 'up' ? Math.ceil((x / step) * (1 - 1e-12)) : Math.floor((x / step) * (1 + 1e-12));
+  const steps = way === 'up' ? Math.ceil((x / step) * (1 - 1e-9)) : Math.floor((x / step) * (1 + 1e-9));
   return String(Number(Math.min(steps * step, Number.MAX_VALUE).toPrecision(12)));
 }
 

@@ -276,7 +276,7 @@ struct NamedReport {
 
 /// A length of 0 or more that lies between two bounds, for people: one number where both are the same in six digits,
 /// else both, rounded outward so that the exact length lies between the two that are told, too: "20 to 21". Each has
-/// two digits, and one more, up to six, for each decade that the width of the bracket lies below it. A part in 10¹² of
+/// two digits, and one more, up to six, for each decade that the width of the bracket lies below it. A part in 10⁹ of
 /// a bound is taken for its rounding. An upper bound that is infinite tells nothing: "at least 20".
 [[nodiscard]] std::string bracket_text(double lower, double upper);
 
