@@ -43,7 +43,7 @@ SweepResult run_volumes_beside_cgal(const std::string& family, std::uint64_t see
 
 const bool volumes_cgal_known = register_sweep({"overlap-volumes-cgal",
                                                 {"boxes", "spheres", "prisms", "tetrahedra", "l shapes", "mixed"},
-                                                2000,
+                                                10'000,
                                                 10,
                                                 run_volumes_beside_cgal,
                                                 200});

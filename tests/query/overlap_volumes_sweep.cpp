@@ -138,7 +138,7 @@ SweepResult run_overlap_volumes(const std::string& family, std::uint64_t seed, s
 
 const bool overlap_volumes_known = register_sweep({"overlap-volumes",
                                                    {"boxes", "voxels", "inner faces", "tetrahedra", "solids", "far"},
-                                                   2000,
+                                                   10'000,
                                                    20,
                                                    run_overlap_volumes,
                                                    500,
