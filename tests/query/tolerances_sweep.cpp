@@ -117,10 +117,11 @@ Piercing flipped_piercing(Piercing piercing) {
   return piercing == Piercing::b_through_a ? Piercing::a_through_b : piercing;
 }
 
-std::string fault_of_other_order(const PairAnswer& one, const PairAnswer& other) {
+/// Where depth and tolerance differ by rounding alone, one order may leave open what the other decides.
+std::string fault_of_other_order(const PairAnswer& one, const PairAnswer& other, bool differs_by_rounding) {
   if (one.relation.kind != other.relation.kind) return "exchanged, another relation";
-  if (one.tolerance != other.tolerance) return "exchanged, another verdict";
-  if (one.local_depth != other.local_depth) return "exchanged, another local depth";
+  if (!differs_by_rounding && one.tolerance != other.tolerance) return "exchanged, another verdict";
+  if (!differs_by_rounding && one.local_depth != other.local_depth) return "exchanged, another local depth";
   if (one.kind != other.kind) return "exchanged, another kind";
   if (one.piercing != flipped_piercing(other.piercing)) return "exchanged, another one pierces";
   if (one.volume != other.volume) return "exchanged, another volume";
@@ -138,10 +139,13 @@ std::string fault_of_tolerance(const std::string& family, std::uint64_t seed) {
   const Model a(made.a), b(made.b);
   const PairAnswer found = answer_about(a, b, made.query, options),
                    other = answer_about(b, a, {made.query.pose_b, made.query.pose_a}, options);
+  const double rounding = 1e-9 * made.size;
+  const bool differs_by_rounding = tolerance > made.depth.lower - rounding && tolerance < made.depth.upper + rounding;
   std::string fault = fault_of_verdict(made, found, tolerance);
+  if (fault.empty()) fault = fault_of_verdict(made, other, tolerance);
   if (fault.empty() && options.volume) fault = fault_of_clash_kind(made, found);
   if (fault.empty() && options.volume) fault = fault_of_point(made, found);
-  if (fault.empty()) fault = fault_of_other_order(found, other);
+  if (fault.empty()) fault = fault_of_other_order(found, other, differs_by_rounding);
   if (fault.empty()) return "";
   return fmt::format("{} (depth [{}, {}], tolerance {})", fault, made.depth.lower, made.depth.upper, tolerance);
 }
