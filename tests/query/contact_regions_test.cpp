@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -115,6 +116,32 @@ TEST(ContactRegions, OfSurfacesHaveNoDepth) {
   EXPECT_TRUE(regions[0].closed);
   EXPECT_NEAR(regions[0].area, 1, 1e-12);
   EXPECT_FALSE(regions[0].depth);
+}
+
+/// A sheet around a box of these half extents, on its four sides, each of which has an edge somewhere in its middle.
+TriangleMesh sleeve_around(double x, double y) {
+  const std::vector<Vec2> outline = {{-x, -y}, {0.1 * x, -y}, {x, -y}, {x, 0.3 * y},
+                                     {x, y},   {-0.7 * x, y}, {-x, y}, {-x, -0.2 * y}};
+  const auto count = static_cast<Index>(outline.size());
+  std::vector<Vec3> vertices;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < count; ++i) {
+    const Index here = 2 * i, next = 2 * ((i + 1) % count);
+    for (const double z : {-0.37, 0.41}) vertices.push_back({outline[i].x, outline[i].y, z});
+    triangles.push_back({here, next, next + 1});
+    triangles.push_back({here, next + 1, here + 1});
+  }
+  return {vertices, triangles};
+}
+
+TEST(ContactRegions, OfWhatIsHeldFromAllSidesHaveNoNormal) {
+  const TriangleMesh box = box_mesh({0.3, 0.7, 1.1}), sleeve = sleeve_around(0.3, 0.7);
+  for (const bool box_first : {true, false}) {
+    const auto regions = box_first ? regions_of(box, sleeve, {}) : regions_of(sleeve, box, {});
+    ASSERT_EQ(regions.size(), 1U);
+    EXPECT_EQ(regions[0].normal, Vec3{});
+    EXPECT_EQ(regions[0].area, 0);
+  }
 }
 
 TEST(ContactRegions, CountEveryContactOnce) {

@@ -29,7 +29,29 @@ struct Outline {
   Vec3 of_curve;                           ///< twice the vector area, seen from the first point
   Vec3 of_faces;
   Vec3 of_normals;
+  double length = 0;        ///< of all borders of faces and crossing segments
+  double normal_sizes = 0;  ///< the sum of the normals' lengths
 };
+
+/// A sum that is no more than that part of what was added is rounding, and has no direction.
+constexpr double least_share_of_sum = 0x1p-44;
+
+double greatest_coordinate(std::span<const Vec3> points) {
+  double greatest = 0;
+  for (const Vec3& point : points) greatest = std::max(greatest, largest_magnitude(point));
+  return greatest;
+}
+
+/// The vector area, or the zero vector where it is rounding: where a solid is held from all sides, its faces cancel.
+Vec3 twice_vector_area(const Outline& outline, bool closed) {
+  const Vec3 twice = outline.of_faces + (closed ? outline.of_curve : Vec3{});
+  const double rounding = least_share_of_sum * greatest_coordinate(outline.points) * outline.length;
+  return plain_length(twice) > rounding ? twice : Vec3{};
+}
+
+Vec3 sum_of_normals(const Outline& outline) {
+  return plain_length(outline.of_normals) > least_share_of_sum * outline.normal_sizes ? outline.of_normals : Vec3{};
+}
 
 class RegionSum {
  public:
@@ -42,6 +64,7 @@ class RegionSum {
     outline_.points.insert(outline_.points.end(), points.begin(), points.end());
     const Vec3 normal_a = turn_a_ * normal_of_any_size(a), normal_b = turn_b_ * normal_of_any_size(b);
     outline_.of_normals = outline_.of_normals + (normal_a - normal_b);
+    outline_.normal_sizes += plain_length(normal_a) + plain_length(normal_b);
     if (contact.intersection.kind == IntersectionKind::polygon) add_polygon(points, normal_a);
     if (contact.intersection.kind == IntersectionKind::segment && contact.intersection.crossing)
       add_segment(points[0], points[1], cross(normal_a, normal_b));
@@ -52,12 +75,15 @@ class RegionSum {
  private:
   void add_polygon(std::span<const Vec3> points, const Vec3& normal) {
     const Vec3 sum = twice_area_of(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      outline_.length += plain_length(points[(i + 1) % points.size()] - points[i]);
     outline_.of_faces = outline_.of_faces + (dot(sum, normal) < 0 ? -sum : sum);
   }
 
   /// So that what of A lies within B is to the left, seen from outside of A.
   void add_segment(Vec3 from, Vec3 to, const Vec3& along) {
     if (dot(to - from, along) < 0) std::swap(from, to);
+    outline_.length += plain_length(to - from);
     const Vec3 seen_from = outline_.points.front();
     outline_.of_curve = outline_.of_curve + cross(from - seen_from, to - seen_from);
     outline_.ends.emplace_back(from, 1);
@@ -181,9 +207,9 @@ class Regions {
     for (const Vec3& point : points)
       region.deepest = region.deepest + (1.0 / static_cast<double>(points.size())) * point;
     region.deepest = nearest_point_of(region.box, region.deepest);
-    const Vec3 twice = outline.of_faces + (region.closed ? outline.of_curve : Vec3{});
+    const Vec3 twice = twice_vector_area(outline, region.closed);
     region.area = std::hypot(twice.x, twice.y, twice.z) / 2;
-    region.normal = unit_or_zero(region.area > 0 ? twice : outline.of_normals);
+    region.normal = unit_or_zero(region.area > 0 ? twice : sum_of_normals(outline));
     if (common_) add_common_part(region, members, cut_pieces);
     return region;
   }
