@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 #include <hwy/highway.h>
 
-#include "core/fused_products.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
@@ -60,8 +59,6 @@ std::string_view name_of(SimdLevel level) {
   return "scalar";
 }
 
-std::atomic<bool> has_fused_products = simd_level() >= SimdLevel::avx2;
-
 std::vector<SimdLevel> simd_levels() { return levels_in(machine_targets()); }
 
 SimdLevel simd_level() {
@@ -78,7 +75,6 @@ void use_simd_level(SimdLevel level) {
   }
   hwy::SetSupportedTargetsForTest(target_of(level));
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  has_fused_products = level >= SimdLevel::avx2;
 }
 
 }  // namespace toccata

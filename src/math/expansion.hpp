@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/fused_products.hpp"
 #include "math/constants.hpp"
 #include "toccata/math/predicates.hpp"
 
@@ -46,29 +45,12 @@ inline TwoPart split(double a) {
   return {high, a - high};
 }
 
-/// What a · b exceeds the double `high` by to which it was rounded (Dekker).
-inline double rest_of_product(double a, double b, double high) {
-  const TwoPart x = split(a), y = split(b);
-  const double rest = ((high - x.high * y.high) - x.low * y.high) - x.high * y.low;
-  return x.low * y.low - rest;
-}
-
-#ifdef __x86_64__
-/// The same where the processor has fused operations. An intrinsic would be compiled only into functions that are for
-/// such processors alone, which those that need this are not; std::fma is a call, and a slow one on other processors.
-inline double fused_rest_of_product(double a, double b, double high) {
-  asm("vfmsub231sd %2, %1, %0" : "+x"(high) : "x"(a), "x"(b));
-  return high;
-}
-#endif
-
-/// a · b. The two ways are both exact, so that no bit depends on the processor.
+/// a · b (Dekker). Not by std::fma, which is a slow call where the processor has none.
 inline TwoPart two_product(double a, double b) {
   const double high = a * b;
-#ifdef __x86_64__
-  if (has_fused_products.load(std::memory_order_relaxed)) return {high, fused_rest_of_product(a, b, high)};
-#endif
-  return {high, rest_of_product(a, b, high)};
+  const TwoPart x = split(a), y = split(b);
+  const double rest = ((high - x.high * y.high) - x.low * y.high) - x.high * y.low;
+  return {high, x.low * y.low - rest};
 }
 
 /// The sum of its components: none of them zero, ordered by growing magnitude, and no two overlapping in their binary

@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "core/fused_products.hpp"
 #include "oracle/rational.hpp"
-#include "support/simd_levels.hpp"
 #include "toccata/core/random.hpp"
 
 namespace toccata::test {
@@ -51,19 +49,6 @@ TEST(DoubleWord, DifferencesOfDoublesAreExact) {
   for (int i = 0; i < 20000; ++i) {
     const double a = random_word(random).high, b = random_word(random).high;
     ASSERT_EQ(exact(exact_difference(a, b)), oracle::exact(a) - oracle::exact(b)) << "case " << i;
-  }
-}
-
-TEST(DoubleWord, ProductsOfDoublesAreExactAtEveryLevel) {
-  Random random(3);
-  for (int i = 0; i < 20000; ++i) {
-    const double a = random_word(random).high, b = random_word(random).high;
-    at_every_simd_level([&](SimdLevel level) {
-      ASSERT_EQ(has_fused_products, level >= SimdLevel::avx2);
-      const TwoPart product = two_product(a, b);
-      ASSERT_EQ(product.high, a * b) << "case " << i;
-      ASSERT_EQ(exact(double_word(product)), oracle::exact(a) * oracle::exact(b)) << "case " << i;
-    });
   }
 }
 
