@@ -53,8 +53,8 @@ def peak_megabytes(process):
 def has_right_brackets(pair, depth):
     """That of the depth as a whole holds what it is by construction; one of each region, and one of the volume, are there."""
     whole, volume, regions = pair["penetration"], pair["volume"], pair["regions"]
-    is_right = whole is not None and whole["lower"] <= depth + UNEVEN and whole["upper"] >= depth - UNEVEN
-    is_local = bool(regions) and all(region["depth"] is not None and region["depth"] <= region["depth_upper"] for region in regions)
+    is_right = whole is not None and whole["lower"] <= depth + UNEVEN and (whole["upper"] is None or whole["upper"] >= depth - UNEVEN)
+    is_local = bool(regions) and all(region["depth"] is not None and region["depth_upper"] is not None and region["depth"] <= region["depth_upper"] for region in regions)
     return is_right and is_local and volume is not None and 0 < volume["lower"] <= volume["upper"]
 
 
@@ -83,7 +83,7 @@ def measured_check(command, folder, threads, depths):
     if process.returncode not in (0, 1):
         raise RuntimeError(f"check ended with {process.returncode}")
     wrong = sum(not has_right_brackets(pairs[pair], depth) for pair, depth in depths.items() if pair in pairs)
-    widths = [pair["penetration"]["upper"] / pair["penetration"]["lower"] - 1 for pair in pairs.values() if pair["penetration"] and pair["penetration"]["lower"] > 0]
+    widths = [pair["penetration"]["upper"] / pair["penetration"]["lower"] - 1 for pair in pairs.values() if pair["penetration"] and pair["penetration"]["lower"] > 0 and pair["penetration"]["upper"] is not None]
     return {**rounded({"seconds": seconds, "first_result_s": first, "processor_s": processor_seconds() - before}), "peak_mb": memory,
             **compared(set(pairs), set(depths)), "wrong_brackets": wrong, **rounded({"widest_depth_bracket": max(widths, default=None)})}
 
@@ -128,7 +128,7 @@ def measured_rack(options, rack):
         measured = {**scene_of(rack), "toccata": measured_check(options.command, folder, options.threads, rack.depths())}
     if all(measured[what] >= least for what, least in LARGE.items()):
         ours = measured["toccata"]
-        measured[f"at most {MOST_SECONDS} s, the first after at most {MOST_UNTIL_FIRST}"] = ours["seconds"] <= MOST_SECONDS and ours["first_result_s"] <= MOST_UNTIL_FIRST
+        measured[f"at most {MOST_SECONDS} s, the first after at most {MOST_UNTIL_FIRST}"] = ours["seconds"] <= MOST_SECONDS and ours["first_result_s"] is not None and ours["first_result_s"] <= MOST_UNTIL_FIRST
     return measured
 
 

@@ -75,7 +75,7 @@ def whole_of(element):
 
 
 # What IfcOpenShell follows to its end, wherever that is.
-WAYS = (("IfcLocalPlacement", lambda placement: placement.PlacementRelTo, "placed by way of itself"),
+WAYS = (("IfcLocalPlacement", lambda placement: getattr(placement, "PlacementRelTo", None), "placed by way of itself"),
         ("IfcObjectDefinition", whole_of, "a part of itself"))
 
 
@@ -205,6 +205,8 @@ def main(words):
         return 0
     except Trouble as trouble:
         print(trouble, file=sys.stderr)
+    except (OSError, MemoryError) as trouble:
+        print(" ".join(str(trouble).split()) or "there is not enough memory for it", file=sys.stderr)
     except Exception as error:  # any attribute of a damaged file may be of another kind than the standard says
         print(f"what it holds is not as the standard says ({type(error).__name__}: {' '.join(str(error).split())}); export it again", file=sys.stderr)
     return 2

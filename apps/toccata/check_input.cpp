@@ -135,7 +135,8 @@ void warn_of_open_meshes(CheckInput& input, int threads, OpenMeshes taken_for) {
 
 void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open, std::span<const SceneInstance> told,
                          OpenMeshes taken_for) {
-  constexpr std::size_t most_triangles = 200'000;  // for so many it does not take long to find out what closes them
+  // For so many it does not take long to find out what closes them, or to count what is wrong with one.
+  constexpr std::size_t most_triangles = 200'000, most_inspected = 1'000'000;
   const bool is_one = open.size() == 1;
   const std::string taken =
       taken_for == OpenMeshes::by_winding
@@ -150,6 +151,7 @@ void warn_of_open_meshes(LoadedScene& loaded, std::span<const std::string> open,
   std::size_t triangles = 0;
   for (const SceneInstance& posed : told) {
     triangles += posed.model.mesh().triangle_count();
+    if (posed.model.mesh().triangle_count() > most_inspected) continue;
     const ClosingGap gap = triangles <= most_triangles ? ClosingGap::looked_for : ClosingGap::left_out;
     loaded.warnings.push_back(open_mesh_text(posed, loaded.scene.unit, gap));
   }

@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -87,7 +88,11 @@ std::optional<int> awaited(pid_t process, Seconds patience) {
   constexpr std::chrono::milliseconds shortest(1), longest(20);
   const auto end = std::chrono::steady_clock::now() + patience;
   int status = 0;
-  for (auto pause = shortest; waitpid(process, &status, WNOHANG) == 0; pause = std::min(longest, 2 * pause)) {
+  for (auto pause = shortest;; pause = std::min(longest, 2 * pause)) {
+    const pid_t ended = waitpid(process, &status, WNOHANG);
+    if (ended == process) return status;
+    if (ended < 0 && errno != EINTR)
+      throw Error(fmt::format("how a reader ended is not known: {}", std::generic_category().message(errno)));
     if (std::chrono::steady_clock::now() > end) {
       kill(process, SIGKILL);
       waitpid(process, &status, 0);
@@ -95,7 +100,6 @@ std::optional<int> awaited(pid_t process, Seconds patience) {
     }
     std::this_thread::sleep_for(pause);
   }
-  return status;
 }
 
 std::optional<int> status_of(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
@@ -110,6 +114,8 @@ std::optional<int> status_of(const std::vector<std::string>& words, const fs::pa
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t process = 0;
+  std::signal(SIGCHLD,
+              SIG_DFL);  // whoever began this may have had it ignored, and nobody is told then how a program ended
   const int code = posix_spawn(&process, words[0].c_str(), &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));

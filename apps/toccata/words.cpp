@@ -71,7 +71,7 @@ std::string local_depth_text(const ReportedPair& pair) {
 
 std::string volume_text(const OverlapVolume& volume) {
   return volume.status == Status::exact ? fmt::format("{:.6g}", volume.upper)
-                                        : fmt::format("between {:.6g} and {:.6g}", volume.lower, volume.upper);
+                                        : bracket_text(volume.lower, volume.upper);
 }
 
 std::string verb_of(const ReportedPair& pair) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "narrow/penetration_checks.hpp"
 #include "support/convex_cases.hpp"
@@ -161,6 +162,49 @@ TEST(ConvexManifold, OfHullsIsAsDeepAsTheirPenetration) {
       deep += p.upper > 0 ? 1 : 0;
     }
   EXPECT_GE(deep, 60);
+}
+
+/// Each point is on both shapes, grown by half its depth.
+void expect_between(const Manifold& m, const PosedPolytope& a, const PosedPolytope& b) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+    const PosedPolytope point(Point(m.points[i].position));
+    const double half = 0.5 * std::fabs(m.points[i].depth) + 1e-12;
+    EXPECT_LE(distance(point, a).lower, half) << i;
+    EXPECT_LE(distance(point, b).lower, half) << i;
+  }
+}
+
+TEST(ConvexManifold, OfASegmentAcrossACapsuleByADegreeAreTheEndsOfTheSegment) {
+  const Vec3 end{0.64950731779814663, -0.74895703673831882, -0.21276719315171716},
+      of_core{0.6696900034690747, -0.74391778960636834, -0.20645803355780343};
+  const PosedPolytope segment(Segment(end, -end)), capsule(Capsule(of_core, -of_core, 0.39260044598841681));
+  const Manifold m = manifold(segment, capsule);
+  ASSERT_EQ(m.count, 2);
+  expect_between(m, segment, capsule);
+  for (const ManifoldPoint& point : std::span(m.points).first(2)) {
+    EXPECT_EQ(point.on_a.kind, ConvexFeature::Kind::vertex);
+    // The core passes the segment's end at 0.0277 to the side.
+    EXPECT_NEAR(point.depth, 0.3916, 1e-4);
+  }
+}
+
+TEST(ConvexManifold, OfANeedleLieBetweenItsEnds) {
+  const double y = 1.0000009536743164, above = 1.0000009536743166, x = 1.0000000000000004;
+  const ConvexHull bar(std::vector<Vec3>{{1.0000019073486328, y, -3},
+                                         {1, 1, 0},
+                                         {1, 1.0000019073486328, -3},
+                                         {1.0000019073486328, 1.0000028610229492, -3},
+                                         {1.0000019073486328, 1.0000028610229492, 0}}),
+      needle(std::vector<Vec3>{{-1, y, -2.25},
+                               {x, above, -0.24999999999999956},
+                               {-1.1102230246251565e-16, y, -1.25},
+                               {x, y, -1.25},
+                               {-1, above, -1.25},
+                               {x, y, -2.25},
+                               {0, above, -2.25}});
+  const PosedPolytope a(bar), b(needle);
+  expect_between(manifold(a, b), a, b);
+  expect_between(manifold(b, a), b, a);
 }
 
 TEST(ConvexManifold, ATinyBallOnABoxHasOnePoint) {

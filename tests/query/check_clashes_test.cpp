@@ -275,7 +275,12 @@ TEST(CheckTolerance, ASheetThatReachesIntoASolidDoesNotMakeItDeep) {
   const CheckOptions options{.depth = {.precision = 1}, .tolerance = 0.25};
   EXPECT_NE(only_pair(block, with_sheet, {}, options).tolerance, ToleranceVerdict::beyond);
   EXPECT_NE(only_pair(with_sheet, block, {}, options).tolerance, ToleranceVerdict::beyond);
-  for (const ContactRegion& region : contact_regions(with_sheet, block)) EXPECT_LE(region.depth->lower, 0.125);
+  const std::vector<ContactRegion> regions = contact_regions(with_sheet, block);
+  ASSERT_FALSE(regions.empty());
+  for (const ContactRegion& region : regions) {
+    ASSERT_TRUE(region.depth);
+    EXPECT_LE(region.depth->lower, 0.125);
+  }
 }
 
 TEST(CheckTolerance, AShellInsideCountsBesideAShallowPlace) {

@@ -100,7 +100,7 @@ function regionFacts(regions: Region[], unit: string): Part[][] {
 function volumeFacts({ volume, point }: Pair, unit: string): Part[][] {
   if (!volume) return [];
   const cubed = unit === 'unit' ? '' : ` ${unit}³`;
-  const amount = volume.status === 'exact' ? numberText(volume.upper) : `${numberText(volume.lower)} to ${numberText(volume.upper)}`;
+  const amount = volume.status === 'exact' ? numberText(volume.upper) : bracketText(volume.lower, volume.upper, 'unit');
   return [[`volume in common ${amount}${cubed}`], ...(point ? [[`around ${vectorText(point)}`]] : [])];
 }
 

@@ -38,7 +38,7 @@ struct PairAnswer {
     touching,
     crossing,  ///< a surface takes part
     overlap,   ///< of two solids, of which it was not asked, or not found out, whether one passes through the other:
-               ///< compounds, and meshes that meet themselves or lie within themselves where they meet the other
+               ///< compounds, and meshes that intersect themselves or lie within themselves where they meet the other
     protrude,  ///< one goes into the other, and not through it
     pierce,    ///< one goes into the other at one place and out at another: around one common part they cross along two
                ///< closed curves or more

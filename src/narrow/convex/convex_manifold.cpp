@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "math/constants.hpp"
+#include "math/vec3_measures.hpp"
 #include "narrow/boxes/box_axes.hpp"
 #include "narrow/boxes/box_manifold.hpp"
 #include "narrow/contact/manifold_along.hpp"
@@ -86,6 +87,10 @@ CornerFeatures features_of(const FacePair& faces, const PolygonSide& in, const P
     return {{Kind::face, faces.reference().face}, {Kind::vertex, faces.incident().vertex}};
   if (!in.of_reference && !out.of_reference)
     return {{Kind::face, faces.reference().face}, {Kind::vertex, incident.origin[out.half_edge]}};
+  // Planes across the ends of a segment.
+  if (is_segment(faces.reference()))
+    return {{Kind::vertex, reference.target((in.of_reference ? in : out).half_edge)},
+            {Kind::edge, edge_number(incident, (in.of_reference ? out : in).half_edge)}};
   if (in.of_reference && out.of_reference) {
     const bool follows = reference.next(in.half_edge) == out.half_edge;
     return {{Kind::vertex, reference.origin[follows ? out.half_edge : in.half_edge]},
@@ -104,6 +109,34 @@ ManifoldPoint point_over_face(const FacePair& faces, const Vec3& normal, const V
   // Half way from the reference surface to the incident one, along the normal.
   const double back = faces.b_is_reference ? 0.5 * ((gap + radius_a) - radius_b) : 0.5 * ((radius_a - radius_b) - gap);
   return {position + back * normal, (radius_a + radius_b) - gap, {}, {}};
+}
+
+/// A point of the incident segment against the reference segment, which passes it to the side: the cores' surfaces
+/// there overlap along the normal by as much as the way on which two circles come to touch. Nothing where they pass
+/// each other.
+std::optional<ManifoldPoint> point_beside_segment(const FacePair& faces, const Vec3& normal, const Vec3& position) {
+  const PosedPolytope& reference = *faces.reference().shape;
+  const HullTopology topology = reference.topology();
+  const Index half_edge = faces.reference().first();
+  const Vec3 from = reference.vertex(topology.origin[half_edge]), along = unit_along(faces.reference());
+  const double length = dot(reference.vertex(topology.target(half_edge)) - from, along);
+  const Vec3 on_reference = from + std::clamp(dot(position - from, along), 0.0, length) * along;
+  const Vec3 &on_a = faces.b_is_reference ? position : on_reference,
+             &on_b = faces.b_is_reference ? on_reference : position;
+  const Vec3 way = on_b - on_a;
+  const double gap = dot(way, normal), reach = faces.a.shape->radius() + faces.b.shape->radius();
+  const Vec3 aside = way - gap * normal;
+  const double left = reach * reach - dot(aside, aside);
+  if (!(left >= 0 || plain_length(aside) <= 0x1p-40 * length)) return {};
+  const double depth = std::sqrt(std::max(left, 0.0)) - gap;
+  // The point of A at which the two touch once B has gone so far, and from there half the way back to B's.
+  const double share = reach > 0 ? faces.a.shape->radius() / reach : 0.5;
+  return ManifoldPoint{on_a + share * (way + depth * normal) - 0.5 * depth * normal, depth, {}, {}};
+}
+
+std::optional<ManifoldPoint> point_of_contact(const FacePair& faces, const Vec3& normal, const Vec3& position) {
+  if (is_segment(faces.reference())) return point_beside_segment(faces, normal, position);
+  return point_over_face(faces, normal, position);
 }
 
 bool are_the_same(const ManifoldPoint& p, const ManifoldPoint& q) {
@@ -127,11 +160,12 @@ ManifoldPoints face_points(const FacePair& faces, const Vec3& normal, std::pmr::
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const PolygonSide& in = polygon[(i + polygon.size() - 1) % polygon.size()].side;
     const CornerFeatures features = features_of(faces, in, polygon[i].side);
-    ManifoldPoint point = point_over_face(faces, normal, polygon[i].position);
-    point.on_a = faces.b_is_reference ? features.on_incident : features.on_reference;
-    point.on_b = faces.b_is_reference ? features.on_reference : features.on_incident;
-    if (std::none_of(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, point); }))
-      points.push_back(point);
+    std::optional<ManifoldPoint> point = point_of_contact(faces, normal, polygon[i].position);
+    if (!point) continue;
+    point->on_a = faces.b_is_reference ? features.on_incident : features.on_reference;
+    point->on_b = faces.b_is_reference ? features.on_reference : features.on_incident;
+    if (std::none_of(points.begin(), points.end(), [&](const ManifoldPoint& p) { return are_the_same(p, *point); }))
+      points.push_back(*point);
   }
   return points;
 }

@@ -41,7 +41,8 @@ struct CheckWatch {
   std::function<bool()> stop{};
   /// Told each pair that is found, in the order in which they are; from any thread, never from two at once.
   std::function<void(const PairAnswer&)> found{};
-  bool keeps_found = true;  ///< where it is false, the answer has none of the pairs: those who look on have seen them
+  /// Where it is false, the answer has none of the pairs, and who has not looked on (`found`) never sees them.
+  bool keeps_found = true;
 };
 
 /// The pair clearances are of pairs that are wanted, and count more than rules.

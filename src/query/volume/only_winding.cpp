@@ -19,7 +19,7 @@ namespace toccata {
 namespace {
 
 /// One of these triangles meets another of the mesh, wherever that is.
-bool meets_itself(const PosedMesh& mesh, std::span<const Index> triangles, SearchScratch& scratch) {
+bool intersects_itself(const PosedMesh& mesh, std::span<const Index> triangles, SearchScratch& scratch) {
   // The tree against itself takes for each of its triangles a thirtieth of what it takes to look for one alone.
   constexpr std::size_t share_for_all = 24;
   const bool are_many = triangles.size() > mesh.model().mesh().triangle_count() / share_for_all;
@@ -103,7 +103,7 @@ std::optional<LineWinding> windings_beside(const PosedMesh& mesh, const Triangle
 std::optional<int> only_winding_in(const PosedMesh& mesh, const Aabb& region, SearchScratch& scratch) {
   const std::vector<Index> triangles = triangles_in_region(mesh, region);
   if (triangles.empty()) return wind_along(mesh, ExactPoint(region.lower), 0).ahead;
-  if (meets_itself(mesh, triangles, scratch)) return {};
+  if (intersects_itself(mesh, triangles, scratch)) return {};
   VertexGraph graph(mesh);
   UnionFind pieces = pieces_of(graph, triangles, region);
   std::vector<char> is_seen(triangles.size());
