@@ -174,21 +174,22 @@ void expect_between(const Manifold& m, const PosedPolytope& a, const PosedPolyto
   }
 }
 
-TEST(ConvexManifold, OfASegmentAcrossACapsuleByADegreeAreTheEndsOfTheSegment) {
+TEST(ConvexManifold, OfASegmentAcrossACapsuleByADegreeAreTheMiddleAndTheEndsOfTheSegment) {
   const Vec3 end{0.64950731779814663, -0.74895703673831882, -0.21276719315171716},
       of_core{0.6696900034690747, -0.74391778960636834, -0.20645803355780343};
   const PosedPolytope segment(Segment(end, -end)), capsule(Capsule(of_core, -of_core, 0.39260044598841681));
   const Manifold m = manifold(segment, capsule);
-  ASSERT_EQ(m.count, 2);
+  ASSERT_EQ(m.count, 3);
   expect_between(m, segment, capsule);
-  for (const ManifoldPoint& point : std::span(m.points).first(2)) {
+  EXPECT_NEAR(m.points[0].depth, 0.3926, 1e-4);
+  for (const ManifoldPoint& point : std::span(m.points).subspan(1, 2)) {
     EXPECT_EQ(point.on_a.kind, ConvexFeature::Kind::vertex);
-    // The core passes the segment's end at 0.0277 to the side.
-    EXPECT_NEAR(point.depth, 0.3916, 1e-4);
+    // The core passes the end of the segment at 0.0201 to the side.
+    EXPECT_NEAR(point.depth, std::sqrt(0.3926 * 0.3926 - 0.0201 * 0.0201), 1e-4);
   }
 }
 
-TEST(ConvexManifold, OfANeedleLieBetweenItsEnds) {
+TEST(ConvexManifold, OfANeedleLieBetweenTheTwo) {
   const double y = 1.0000009536743164, above = 1.0000009536743166, x = 1.0000000000000004;
   const ConvexHull bar(std::vector<Vec3>{{1.0000019073486328, y, -3},
                                          {1, 1, 0},

@@ -206,6 +206,29 @@ void take_four(Manifold& result, ManifoldPoints& points) {
   take_greatest([&](const ManifoldPoint& p) { return (third > 0 ? -1 : 1) * dot(aside, p.position - origin); });
 }
 
+/// Of a face so narrow for its length the plane is rough, and where its sides meet.
+bool is_sliver(const ContactFace& face) {
+  if (face.face == ContactFace::none || is_segment(face)) return false;
+  const HullTopology topology = face.shape->topology();
+  const Vec3 first = face.shape->vertex(topology.origin[face.first()]);
+  double longest = 0;
+  for (Index h = face.first() + 1; h < face.last(); ++h) {
+    const Vec3 way = face.shape->vertex(topology.origin[h]) - first;
+    longest = std::max(longest, dot(way, way));
+  }
+  return face.area <= 0x1p-12 * longest;
+}
+
+/// Whether it is on both shapes, grown by half its depth.
+bool lies_between(const ManifoldPoint& point, const PosedPolytope& a, const PosedPolytope& b) {
+  const PosedPolytope at(Point(point.position));
+  const auto is_near = [&](const PosedPolytope& shape) {
+    const Distance apart = distance(at, shape);
+    return apart.lower <= 0.5 * std::fabs(point.depth) + 0x1p-46 * largest_magnitude(point.position);
+  };
+  return is_near(a) && is_near(b);
+}
+
 /// The points of the contact of two faces; none when the normal is not that of a face. Along it the shapes overlap by
 /// no more than `most`, whatever the rough plane of a needle's face makes of it.
 ManifoldPoints points_of_faces(const PosedPolytope& a, const PosedPolytope& b, const Vec3& normal, double most,
@@ -218,6 +241,8 @@ ManifoldPoints points_of_faces(const PosedPolytope& a, const PosedPolytope& b, c
   ManifoldPoints points = face_points(faces, normal, memory);
   for (ManifoldPoint& point : points) point.depth = std::min(point.depth, most);
   drop_gaps(points);
+  if (is_sliver(faces.a) || is_sliver(faces.b))
+    std::erase_if(points, [&](const ManifoldPoint& point) { return !lies_between(point, a, b); });
   return points;
 }
 

@@ -47,30 +47,6 @@ void clip(ContactPolygon& polygon, ContactPolygon& result, const SidePlane& plan
   std::swap(polygon, result);
 }
 
-/// The sides of a sliver are so nearly parallel that rounding hides where they meet: what lies beyond its ends is taken
-/// off by planes across these.
-void clip_to_ends(ContactPolygon& polygon, ContactPolygon& other, const ContactFace& reference, const Vec3& direction) {
-  const HullTopology topology = reference.shape->topology();
-  const auto corner = [&](Index h) { return reference.shape->vertex(topology.origin[h]); };
-  const Vec3 first = corner(reference.first());
-  Vec3 along;
-  for (Index h = reference.first(); h < reference.last(); ++h)
-    if (const Vec3 way = corner(h) - first; dot(way, way) > dot(along, along)) along = way;
-  along = along - dot(along, direction) * direction;
-  Index low = reference.first(), high = low;
-  for (Index h = reference.first(); h < reference.last(); ++h) {
-    if (dot(corner(h) - corner(low), along) < 0) low = h;
-    if (dot(corner(h) - corner(high), along) > 0) high = h;
-  }
-  const double slack = 0x1p-30 * dot(corner(high) - corner(low), along);
-  const auto is_beyond = [&](const PolygonCorner& p) {
-    return dot(p.position - corner(high), along) > slack || dot(corner(low) - p.position, along) > slack;
-  };
-  if (std::none_of(polygon.begin(), polygon.end(), is_beyond)) return;
-  clip(polygon, other, {corner(high), along, high});
-  clip(polygon, other, {corner(low), -along, low});
-}
-
 }  // namespace
 
 ContactPolygon clipped_incident(const ContactFace& reference, const ContactFace& incident, const Vec3& direction,
@@ -90,7 +66,6 @@ ContactPolygon clipped_incident(const ContactFace& reference, const ContactFace&
     const Vec3 along = reference.shape->vertex(topology.target(h)) - from;
     clip(polygon, other, {from, mirrored * cross(along, direction), h});
   }
-  clip_to_ends(polygon, other, reference, direction);
   return polygon;
 }
 

@@ -32,6 +32,7 @@ void consider(ContactFace& best, const SupportSearch& shape, Index face, const V
   if (facing <= best.facing) return;
   best.face = face;
   best.facing = facing;
+  best.area = length;
   best.normal = (1 / length) * area;
 }
 

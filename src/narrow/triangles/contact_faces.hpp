@@ -16,6 +16,7 @@ struct ContactFace {
   Index vertex = 0;    ///< the core's vertex that is farthest along the direction
   Vec3 normal{};       ///< outwards, unit; zero when it has no area
   double facing = -1;  ///< the cosine between normal and direction; −1 when there is no area
+  double area = 0;     ///< twice the face's
 
   [[nodiscard]] Index first() const { return shape->topology().face_start[face]; }
   [[nodiscard]] Index last() const { return shape->topology().face_start[face + 1]; }
