@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/simd_levels.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 #include "toccata/math/pose.hpp"
@@ -220,6 +221,29 @@ TEST(SeparatingAxes, OfBoxesNeedTheEdgePairs) {
   const PosedPolytope below(Box({2, 0.5, 0.5}), {rotation_about({1, 0, 0}, 45), {}});
   const PosedPolytope above(Box({0.5, 2, 0.5}), {rotation_about({0, 1, 0}, 45), {0, 0, 1.42}});
   EXPECT_FALSE(overlap_by_separating_axes(below, above));
+}
+
+/// Where splitting a double for an exact product overflows, and a fused operation would not.
+TEST(ConvexPenetration, OfHugeHullsHasTheSameBitsAtEveryLevel) {
+  Random random(17);
+  int deep = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto points = [&](double offset) {
+      std::vector<Vec3> result;
+      for (int k = 0; k < 8; ++k)
+        result.push_back({random.between(-1, 1) + offset, random.between(-1, 1), random.between(-1, 1)});
+      return ConvexHull(result);
+    };
+    const ConvexHull hull_a = points(0), hull_b = points(0.75);
+    for (const int exponent : {245, 250, 256}) {
+      const PosedPolytope a = PosedPolytope(hull_a).scaled(exponent), b = PosedPolytope(hull_b).scaled(exponent);
+      std::vector<Penetration> found;
+      test::at_every_simd_level([&](SimdLevel) { found.push_back(penetration(a, b)); });
+      for (const Penetration& p : found) EXPECT_EQ(p, found.front()) << i << ' ' << exponent;
+      deep += found.front().upper > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(deep, 60);
 }
 
 }  // namespace
