@@ -114,8 +114,8 @@ std::optional<int> status_of(const std::vector<std::string>& words, const fs::pa
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
   pid_t process = 0;
-  std::signal(SIGCHLD,
-              SIG_DFL);  // whoever began this may have had it ignored, and nobody is told then how a program ended
+  // Whoever began this may have had it ignored, and nobody is told then how a program ended.
+  std::signal(SIGCHLD, SIG_DFL);
   const int code = posix_spawn(&process, words[0].c_str(), &files, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
