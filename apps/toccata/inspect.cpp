@@ -37,7 +37,7 @@ std::string closed_text(const MeshHealth& h) {
 
 /// How far an open mesh is from closed.
 std::string open_text(const InspectedObject& object) {
-  if (const std::string winding = only_winding_text(*object.health); !winding.empty()) return winding;
+  if (std::string winding = only_winding_text(*object.health); !winding.empty()) return winding;
   const std::string holes = counted(object.boundaries, "hole or rim", "holes or rims");
   if (!object.closing_gap)
     return fmt::format(

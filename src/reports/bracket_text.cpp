@@ -30,7 +30,8 @@ std::string rounded(double x, int digits, Outward way) {
 }  // namespace
 
 std::string bracket_text(double lower, double upper) {
-  const std::string least = fmt::format("{:.6g}", lower), most = fmt::format("{:.6g}", upper);
+  const std::string least = fmt::format("{:.6g}", lower);
+  std::string most = fmt::format("{:.6g}", upper);
   if (least == most) return most;
   if (std::isinf(upper)) return "at least " + lower_bound_text(lower);
   const int width = decade_of(upper - lower);

@@ -39,13 +39,27 @@ double difference_size(const oracle::FineSet& a, const oracle::FineSet& b) {
   return static_cast<double>(most);
 }
 
+/// The lowest height that is found from a direction downhill, by turns that become smaller.
+Fine lowest_from(const oracle::FineSet& a, const oracle::FineSet& b, Vec3 direction, Random& random) {
+  Fine lowest = height_along(a, b, direction);
+  for (double turn = 0.25; turn > 1e-3; turn *= 0.8) {
+    const Vec3 next = direction + turn * quadric_direction(random);
+    const Fine height = height_along(a, b, next);
+    if (!(height < lowest)) continue;
+    lowest = height;
+    direction = (1 / std::sqrt(dot(next, next))) * next;
+  }
+  return lowest;
+}
+
 std::string depth_fault(const Penetration& p, const oracle::FineSet& a, const oracle::FineSet& b, Random& random) {
   if (!(p.lower <= p.upper)) return fmt::format("depth from {} to {}", p.lower, p.upper);
   if (!(p.upper > 0)) return "";
   const Fine along = height_along(a, b, p.direction);
   if (along > Fine(p.upper)) return fmt::format("upper {} does not part them", p.upper);
   for (int i = 0; i < 100; ++i) {
-    const Fine height = height_along(a, b, quadric_direction(random));
+    const Fine height = i % 10 == 0 ? lowest_from(a, b, quadric_direction(random), random)
+                                    : height_along(a, b, quadric_direction(random));
     if (height < Fine(p.lower)) return fmt::format("lower {} above {}", p.lower, height.str(20));
   }
   if (p.lower >= 0.9 * p.upper || p.upper <= 1e-12 * difference_size(a, b)) return "";

@@ -197,7 +197,7 @@ TEST(CheckClashes, AnOverlapIsHeldAgainstTheTolerance) {
 /// How it stands to the tolerance, and that the depth which decided it says so.
 PairAnswer held_against(double tolerance, const Model& a, const Model& b, const Pose& pose_b = {},
                         bool penetration = false) {
-  const PairAnswer pair = only_pair(a, b, pose_b, {.penetration = penetration, .tolerance = tolerance});
+  PairAnswer pair = only_pair(a, b, pose_b, {.penetration = penetration, .tolerance = tolerance});
   if (!pair.local_depth) return pair;
   EXPECT_TRUE(pair.tolerance == ToleranceVerdict::within || pair.tolerance == ToleranceVerdict::beyond);
   const bool is_within = pair.tolerance == ToleranceVerdict::within;
@@ -245,8 +245,10 @@ TEST(CheckTolerance, OneDeepPlaceIsBeyondIt) {
 /// Cubes side by side as one mesh, of which the faces between two lie within the whole.
 TriangleMesh bricks(const Vec3& from) {
   std::vector<TriangleMesh> cubes;
-  for (int i = 0; i < 64; ++i)
-    cubes.push_back(box_at({0.125, 0.125, 0.125}, from + Vec3{0.25 * (i % 4), 0.25 * (i / 4 % 4), 0.25 * (i / 16)}));
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 4; ++z)
+        cubes.push_back(box_at({0.125, 0.125, 0.125}, from + 0.25 * Vec3{1.0 * x, 1.0 * y, 1.0 * z}));
   return joined(cubes);
 }
 

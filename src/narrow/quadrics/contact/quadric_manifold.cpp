@@ -70,18 +70,21 @@ ContactPatch patch_of_second(const PosedPolytope& shape, const QuadricBody&, con
 template <class B>
 Manifold manifold_of(const PosedQuadric& a, const B& b) {
   // Most of what is apart needs no contact, and the longer way may leave it undecided.
-  if (fast_contact(a, b) == QuadricContact::apart) return {};
+  if (contact_before_depth(a, b) == QuadricContact::apart) return {};
   const PairFrame frame = pair_frame(a, b);
   const QuadricBody body_a(a, frame), body_b(b, frame);
-  const QuadricNearest met = nearest_of(a, body_a, b, body_b, QuadricQuestion::meeting);
-  if (met.contact == QuadricContact::apart) return {};
+  std::optional<QuadricSeparation> found = separation_at_lowest_place(body_a, body_b);
+  if (!found) {
+    if (fast_contact(a, b) == QuadricContact::apart) return {};
+    const QuadricNearest met = nearest_of(a, body_a, b, body_b, QuadricQuestion::meeting);
+    if (met.contact == QuadricContact::apart) return {};
+    found = separation_of(body_a, body_b, met);
+  }
   std::array<std::byte, 8192> buffer;
   std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  const QuadricSeparation separation = separation_of(body_a, body_b, met);
-  const PairContact contact{
-      frame, {separation.on_a + 0.5 * (separation.on_b - separation.on_a), separation.normal}, separation.depth};
+  const PairContact contact{frame, {found->on_a + 0.5 * (found->on_b - found->on_a), found->normal}, found->depth};
   const ContactPatch patch_a = patch_of(body_a, contact.at, 1, memory);
-  const ContactPatch patch_b = patch_of_second(b, body_b, contact, separation.on_b, memory);
+  const ContactPatch patch_b = patch_of_second(b, body_b, contact, found->on_b, memory);
   return contact.told(chosen_points(patch_a, patch_b, contact.depth, memory));
 }
 

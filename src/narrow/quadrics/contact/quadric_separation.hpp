@@ -1,9 +1,15 @@
 #pragma once
 
+#include <optional>
+
 #include "narrow/quadrics/distance/quadric_nearest.hpp"
 
 // How bodies that meet are parted the shortest way, surfaces too. In the pair's frame.
 namespace toccata {
+
+/// The depth and its direction where one place is proved to be the lowest (lowest_place.hpp): then the bodies meet. The
+/// two points lie across from each other.
+[[nodiscard]] std::optional<Penetration> depth_of_lowest_place(const QuadricBody& a, const QuadricBody& b);
 
 /// For bodies that certainly have a common inner point, the direction along which B has to move the least, but for what
 /// was not found; A is made of a quadric.
@@ -16,6 +22,9 @@ struct QuadricSeparation {
   Vec3 on_a;
   Vec3 on_b;
 };
+
+/// By the lowest place, where that is found.
+[[nodiscard]] std::optional<QuadricSeparation> separation_at_lowest_place(const QuadricBody& a, const QuadricBody& b);
 
 /// Nothing nearby is shorter.
 [[nodiscard]] QuadricSeparation separation_of(const QuadricBody& a, const QuadricBody& b, const QuadricNearest& met);

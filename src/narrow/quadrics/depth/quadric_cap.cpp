@@ -272,7 +272,7 @@ double QuadricCap::refined() {
   return floor_of(weighed);
 }
 
-void QuadricCap::refine() { (void)refined<BoundedNumber>(); }
+void QuadricCap::refine() { refined_lower_ = refined<BoundedNumber>(); }
 
 double QuadricCap::proved_height(double tangent, double least) {
   double lower = 0;
@@ -281,7 +281,11 @@ double QuadricCap::proved_height(double tangent, double least) {
     lower = height * (1 - rounding_of_sums) - loss_within(tangent * (1 + rounding_of_sums), least);
     return lower * (1 - 0x1p-50) >= least;
   };
-  if (!prove(refined<BoundedDouble>())) prove(refined<BoundedNumber>());
+  const bool is_proved = refined_lower_ ? prove(*refined_lower_) : prove(refined<BoundedDouble>());
+  if (!is_proved && !refined_lower_) {
+    refine();
+    prove(*refined_lower_);
+  }
   // Asked so that NaN is no proof.
   return lower > 0 ? lower * (1 - 0x1p-50) : 0;
 }

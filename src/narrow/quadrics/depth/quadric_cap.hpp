@@ -9,6 +9,9 @@
 
 namespace toccata {
 
+/// Below this, heights in doubles have too few digits.
+inline constexpr double shallow_height = 0x1p-8;
+
 /// Which generators of A and of B a point of A − B is made of.
 struct GeneratorPair {
   Index a = 0;
@@ -65,8 +68,11 @@ class QuadricCap {
   /// The point of the first pair, and what it is made of.
   [[nodiscard]] const QuadricSupport& on_a() const { return on_a_[0]; }
   [[nodiscard]] const QuadricSupport& on_b() const { return on_b_[0]; }
-  [[nodiscard]] const Vec3& point() const { return point_[0]; }
-  /// That of the point between the pairs' points through which the axis goes.
+  [[nodiscard]] const Vec3& point(std::size_t pair = 0) const { return point_[pair]; }
+  /// The points of A and of B whose difference is the point between the pairs' points through which the axis goes.
+  [[nodiscard]] Vec3 between_on_a() const { return between(on_a_); }
+  [[nodiscard]] Vec3 between_on_b() const { return between(on_b_); }
+  /// The height of that point.
   [[nodiscard]] double height() const { return height_; }
   /// Makes the height as good as doubles are, where it is small as well.
   void refine();
@@ -103,6 +109,9 @@ class QuadricCap {
     double unsure = 0;
   };
 
+  [[nodiscard]] Vec3 between(const std::array<QuadricSupport, most_pairs>& on) const {
+    return (weight_[0] * on[0].point + weight_[1] * on[1].point) + weight_[2] * on[2].point;
+  }
   void look();
   void weigh();
   void look_at(Side& side, const Vec3& outward) const;
@@ -129,8 +138,9 @@ class QuadricCap {
   std::array<Vec3, most_pairs> point_{};
   std::array<double, most_pairs> weight_{1, 0, 0};  ///< of the points, for the one through which the axis goes
   double height_ = 0;
-  double uneven_ = 0;           ///< how much lower a point is than that one
-  std::array<Vec3, 2> across_;  ///< of two pairs, the first leads from point to point
+  double uneven_ = 0;                    ///< how much lower a point is than that one
+  std::optional<double> refined_lower_;  ///< what the height is certainly no less than, where that was refined
+  std::array<Vec3, 2> across_;           ///< of two pairs, the first leads from point to point
   std::array<Side, 2> side_;
   std::array<std::array<double, 2>, most_pairs> slope_{};  ///< the points in the plane
   double slope_unsure_ = 0;

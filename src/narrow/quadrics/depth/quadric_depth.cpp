@@ -1,8 +1,10 @@
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "math/vec3_measures.hpp"
 #include "narrow/quadrics/contact/quadric_separation.hpp"
+#include "narrow/quadrics/depth/lowest_place.hpp"
 #include "narrow/quadrics/depth/quadric_expansion.hpp"
 #include "narrow/quadrics/distance/fast_pair.hpp"
 #include "narrow/quadrics/distance/newton_refinement.hpp"
@@ -18,20 +20,29 @@ namespace {
 /// deep in many directions (balls around one centre, round bars along one axis), it would take corners without end.
 constexpr std::array<double, 5> parts{0x1p-43, 1e-5, 1e-3, 1e-2, 0.05};
 
-/// Two bodies, in the pair's frame. The search begins at once: where it is proved that the origin lies deep within A −
-/// B, they are known to meet.
+/// Two bodies, in the pair's frame.
 class DeepPair {
  public:
-  DeepPair(const QuadricBody& a, const QuadricBody& b)
-      : a_(a), b_(b), expansion_(a, b), found_(attempt(parts[0], Precision::plain)) {}
+  DeepPair(const QuadricBody& a, const QuadricBody& b) : a_(a), b_(b), expansion_(a, b) {}
 
-  [[nodiscard]] bool certainly_meet() const { return result_.lower > 0; }
+  /// One place is looked at: where it is proved to be the lowest, all is found and the bodies meet.
+  bool is_lowest_place_found() {
+    lowest_ = lowest_place(a_, b_);
+    if (lowest_) result_.lower = lowest_->lower;
+    return lowest_.has_value();
+  }
+
+  /// The search begins: where it is proved that the origin lies deep within A − B, they are known to meet.
+  bool certainly_meet() {
+    if (!lowest_ && attempts_ == 0) found_ = attempt();
+    return result_.lower > 0;
+  }
 
   /// The least depth of bodies that have a common inner point.
   Penetration answer() {
-    if (!found_) search();
-    take(fine(expansion_.direction()));
-    refinement();
+    while (!lowest_ && !found_ && attempts_ < 2 * parts.size()) found_ = attempt();
+    take(fine(lowest_ ? lowest_->axis : expansion_.direction()));
+    if (!lowest_) refinement();
     result_.status = result_.upper - result_.lower <= 1e-12 * result_.upper ? Status::exact : Status::not_converged;
     return result_;
   }
@@ -39,15 +50,12 @@ class DeepPair {
  private:
   using Precision = QuadricExpansion::Precision;
 
-  bool attempt(double part, Precision precision) {
-    const bool reached = expansion_.run(part, precision);
+  bool attempt() {
+    const double part = parts[attempts_ % parts.size()];
+    const bool reached = expansion_.run(part, attempts_ < parts.size() ? Precision::plain : Precision::fine);
+    ++attempts_;
     result_.lower = std::fmax(result_.lower, expansion_.proved_depth());
     return reached && result_.lower >= expansion_.upper() * (1 - 2 * part);
-  }
-
-  void search() {
-    for (std::size_t i = 1; i < 2 * parts.size(); ++i)
-      if (attempt(parts[i % parts.size()], i < parts.size() ? Precision::plain : Precision::fine)) return;
   }
 
   /// Newton's method from the best direction, which makes the upper end as good as numbers are.
@@ -69,23 +77,32 @@ class DeepPair {
     // What is far below the rounding of a unit vector is none of an axis.
     for (int i = 0; i < 3; ++i)
       if (std::fabs(d[i]) < 0x1p-60) d[i] = 0;
-    double height = -gap_along<BoundedDouble>(a_, b_, fine(-d));
-    if (!(height - result_.lower <= 0.5e-12 * height)) height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
+    const bool do_doubles_tell = !lowest_ || lowest_->lower > shallow_height;
+    double height = do_doubles_tell ? -gap_along<BoundedDouble>(a_, b_, fine(-d)) : HUGE_VAL;
+    if (!do_doubles_tell || !(height - result_.lower <= 0.5e-12 * height))
+      height = -gap_along<BoundedNumber>(a_, b_, fine(-d));
     if (!(height < result_.upper)) return;
     result_.upper = height;
     result_.direction = d;
-    result_.on_a = a_.support(d).point;
-    result_.on_b = b_.support(-d).point;
+    result_.on_a = lowest_ ? lowest_->on_a : a_.support(d).point;
+    result_.on_b = lowest_ ? lowest_->on_b : b_.support(-d).point;
   }
 
   const QuadricBody& a_;
   const QuadricBody& b_;
   Penetration result_{.upper = HUGE_VAL};
   QuadricExpansion expansion_;
-  bool found_;
+  std::optional<LowestPlace> lowest_;
+  std::size_t attempts_ = 0;
+  bool found_ = false;
 };
 
 }  // namespace
+
+std::optional<Penetration> depth_of_lowest_place(const QuadricBody& a, const QuadricBody& b) {
+  DeepPair pair(a, b);
+  return pair.is_lowest_place_found() ? std::optional(pair.answer()) : std::nullopt;
+}
 
 Penetration least_depth(const QuadricBody& a, const QuadricBody& b) { return DeepPair(a, b).answer(); }
 
@@ -105,13 +122,16 @@ Penetration shallow_penetration(const QuadricNearest& near) {
 
 template <class B>
 Penetration penetration_of(const PosedQuadric& shape_a, const B& shape_b) {
-  if (fast_contact(shape_a, shape_b) == QuadricContact::apart) return {};
+  if (contact_before_depth(shape_a, shape_b) == QuadricContact::apart) return {};
   const PairFrame frame = pair_frame(shape_a, shape_b);
   const QuadricBody a(shape_a, frame), b(shape_b, frame);
   DeepPair pair(a, b);
-  if (!pair.certainly_meet()) {
-    const QuadricNearest near = nearest_of(shape_a, a, shape_b, b, QuadricQuestion::distance);
-    if (near.contact != QuadricContact::contact || near.shared) return shallow_penetration(near);
+  if (!pair.is_lowest_place_found()) {
+    if (fast_contact(shape_a, shape_b) == QuadricContact::apart) return {};
+    if (!pair.certainly_meet()) {
+      const QuadricNearest near = nearest_of(shape_a, a, shape_b, b, QuadricQuestion::distance);
+      if (near.contact != QuadricContact::contact || near.shared) return shallow_penetration(near);
+    }
   }
   Penetration result = pair.answer();
   // The direction is rounded: a little farther it certainly serves.

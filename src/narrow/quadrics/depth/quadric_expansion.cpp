@@ -22,8 +22,6 @@ constexpr double height_for_cap = 1.2;
 constexpr double little = 0.01;
 /// How far beside an edge or a face the axis may go, in parts of its size, for its cap to be looked for.
 constexpr double most_beyond = 0.25;
-/// Below this, heights in doubles have too few digits.
-constexpr double shallow = 0x1p-8;
 /// Beyond so many corners caps are looked for everywhere, lest there be no end of corners.
 constexpr std::size_t many_corners = 40;
 
@@ -42,7 +40,7 @@ QuadricExpansion::QuadricExpansion(const QuadricBody& a, const QuadricBody& b)
 /// Gives the height as good as it is needed.
 double QuadricExpansion::offer(const HighestPoint& highest) {
   double height = highest.height;
-  if (height < upper_ + same_height && height < shallow)
+  if (height < upper_ + same_height && height < shallow_height)
     height = middle(height_of_pair<BoundedNumber>(a_, b_, highest.generators(), highest.axis));
   offer(height, highest.axis);
   return height;
@@ -213,7 +211,7 @@ bool QuadricExpansion::raise_around(const Vec3& axis, std::span<const GeneratorP
   const double highest = offer(HighestPoint(a_, b_, cap.axis()));
   // Rounded heights tell nothing of a shallow place; the point between the pairs' is refined.
   if (!(cap.height() > highest - 8 * same_height)) return false;
-  if (cap.height() < shallow) cap.refine();
+  if (cap.height() < shallow_height) cap.refine();
   offer(cap.height(), cap.axis());
   return raise(cap, gain);
 }

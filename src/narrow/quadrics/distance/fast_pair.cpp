@@ -134,4 +134,12 @@ std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedPol
   return contact_in_doubles(a, b);
 }
 
+std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedQuadric& b) {
+  const auto is_ellipsoid = [](const PosedQuadric& shape) { return shape.kind() == PosedQuadric::kind_of<Ellipsoid>; };
+  return is_ellipsoid(a) && is_ellipsoid(b) ? ellipsoid_contact(a, b) : fast_contact(a, b);
+}
+std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedPolytope& b) {
+  return fast_contact(a, b);
+}
+
 }  // namespace toccata
