@@ -16,7 +16,7 @@
 #include "toccata/bounds/kdop.hpp"
 #include "toccata/bounds/obb.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -180,4 +180,4 @@ TEST(ProofConstants, APointBeyondASlabByLessThanRoundingIsSeenBeyondIt) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

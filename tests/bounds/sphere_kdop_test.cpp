@@ -13,7 +13,7 @@
 #include "toccata/core/random.hpp"
 #include "toccata/narrow/primitives.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::Rational;
@@ -198,4 +198,4 @@ TEST(SphereKdop, HoldsAtTheEndsOfTheDoubles) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -11,7 +11,7 @@
 #include "oracle/rational.hpp"
 #include "toccata/core/random.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -253,4 +253,4 @@ TEST(BoxBvh, EndsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

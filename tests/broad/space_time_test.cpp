@@ -11,7 +11,7 @@
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -260,4 +260,4 @@ TEST(EarliestContact, RefusesWhatIsNoBound) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

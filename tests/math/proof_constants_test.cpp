@@ -8,7 +8,7 @@
 #include "math/floats.hpp"
 #include "oracle/rational.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -106,4 +106,4 @@ TEST(ProofConstants, TheBracketOfANumberBesideADoubleHoldsIt) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

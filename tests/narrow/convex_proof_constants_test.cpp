@@ -14,7 +14,7 @@
 #include "oracle/penetration.hpp"
 #include "oracle/rational.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -166,4 +166,4 @@ TEST(ConvexProofConstants, GapsThatAreTinyBesideTheTrianglesAreRounded) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -19,7 +19,7 @@
 #include "oracle/rational.hpp"
 #include "toccata/narrow/quadrics.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -237,4 +237,4 @@ TEST(QuadricContactConstants, WhatABallReachesBeyondItsPointIsRounded) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

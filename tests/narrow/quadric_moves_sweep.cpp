@@ -42,7 +42,8 @@ double difference_size(const oracle::FineSet& a, const oracle::FineSet& b) {
 /// The lowest height that is found from a direction downhill, by turns that become smaller.
 Fine lowest_from(const oracle::FineSet& a, const oracle::FineSet& b, Vec3 direction, Random& random) {
   Fine lowest = height_along(a, b, direction);
-  for (double turn = 0.25; turn > 1e-3; turn *= 0.8) {
+  double turn = 0.25;
+  for (int i = 0; i < 25; ++i, turn *= 0.8) {
     const Vec3 next = direction + turn * quadric_direction(random);
     const Fine height = height_along(a, b, next);
     if (!(height < lowest)) continue;

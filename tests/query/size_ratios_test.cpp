@@ -17,7 +17,7 @@
 #include "toccata/query/distance.hpp"
 #include "toccata/query/overlap.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -167,4 +167,4 @@ TEST(SizeRatios, ADistanceDoesNotGrowWithTheRatio) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

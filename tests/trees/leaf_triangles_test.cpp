@@ -10,7 +10,7 @@
 #include "toccata/generate/meshes.hpp"
 #include "toccata/trees/wide_bvh.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -88,4 +88,4 @@ TEST(LeafTriangles, OfAWholeLongerThanTheGreatestDoubleAreBoundedToo) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

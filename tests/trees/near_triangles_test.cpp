@@ -14,7 +14,7 @@
 #include "toccata/core/random.hpp"
 #include "trees/wide_point.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -167,4 +167,4 @@ TEST(NearTriangles, AreAllOfManyThatAreEquallyNear) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

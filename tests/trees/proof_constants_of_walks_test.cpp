@@ -17,7 +17,7 @@
 #include "trees/wide_point.hpp"
 #include "trees/wide_ray.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -281,4 +281,4 @@ TEST(ProofConstants, ThePadOfARayCoversThatItsNumbersAreFloats) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

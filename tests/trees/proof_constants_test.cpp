@@ -15,7 +15,7 @@
 #include "trees/wide_walk.hpp"
 #include "trees/winding_moments.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -199,4 +199,4 @@ TEST(ProofConstants, TheSlackOfTheWideWalkCoversTheRoundingOfAMiddle) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -10,7 +10,7 @@
 #include "toccata/core/random.hpp"
 #include "trees/wide_ray.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -190,4 +190,4 @@ TEST(RayLanes, WithoutKnownErrorsEveryLaneIsPossible) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

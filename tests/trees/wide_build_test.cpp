@@ -18,7 +18,7 @@
 #include "trees/wide_boxes.hpp"
 #include "trees/wide_check.hpp"
 
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -380,4 +380,4 @@ TEST(WideBuild, RealMeshesFillTheirBlocksAndBoxesAreSmall) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -12,7 +12,7 @@
 #include "world/character_mover/thing_planes.hpp"
 
 // What `edge_gap` tells of points and segments beside triangles is compared with the exact distance of the two.
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -173,4 +173,4 @@ TEST(EdgeGap, OfACoreOfMoreCornersIsNotTold) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -10,7 +10,7 @@
 #include "world/character_mover/rounded_box.hpp"
 
 // What is left out by planes and boxes is compared with exact distances along the way.
-namespace toccata {
+namespace toccata::test {
 namespace {
 
 using oracle::exact;
@@ -112,4 +112,4 @@ TEST(RoundedBox, MissesOnlyWhatIsFartherThanItsRadius) {
 }
 
 }  // namespace
-}  // namespace toccata
+}  // namespace toccata::test

@@ -75,7 +75,7 @@ Manifold manifold_of(const PosedQuadric& a, const B& b) {
   const QuadricBody body_a(a, frame), body_b(b, frame);
   std::optional<QuadricSeparation> found = separation_at_lowest_place(body_a, body_b);
   if (!found) {
-    if (fast_contact(a, b) == QuadricContact::apart) return {};
+    if (contact_after_depth(a, b) == QuadricContact::apart) return {};
     const QuadricNearest met = nearest_of(a, body_a, b, body_b, QuadricQuestion::meeting);
     if (met.contact == QuadricContact::apart) return {};
     found = separation_of(body_a, body_b, met);

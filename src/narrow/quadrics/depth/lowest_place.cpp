@@ -76,7 +76,7 @@ std::optional<Guess> guess_along(const QuadricBody& a, const QuadricBody& b, con
   const PlainBody moved = a.PlainBody::moved(-(HighestPoint(a, b, axis).height + gap_between) * axis);
   QuadricSearch search(moved, b, -axis);
   FastRefinement refinement(moved, b);
-  for (const double part : {0.1, 1e-3}) {
+  for (const double part : {0.7, 0.1, 1e-2}) {
     search.run(part);
     if (search.inside()) return {};
     refinement.begin(search.simplex(), search.nearest());

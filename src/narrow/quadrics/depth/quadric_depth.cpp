@@ -127,7 +127,7 @@ Penetration penetration_of(const PosedQuadric& shape_a, const B& shape_b) {
   const QuadricBody a(shape_a, frame), b(shape_b, frame);
   DeepPair pair(a, b);
   if (!pair.is_lowest_place_found()) {
-    if (fast_contact(shape_a, shape_b) == QuadricContact::apart) return {};
+    if (contact_after_depth(shape_a, shape_b) == QuadricContact::apart) return {};
     if (!pair.certainly_meet()) {
       const QuadricNearest near = nearest_of(shape_a, a, shape_b, b, QuadricQuestion::distance);
       if (near.contact != QuadricContact::contact || near.shared) return shallow_penetration(near);

@@ -134,12 +134,24 @@ std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedPol
   return contact_in_doubles(a, b);
 }
 
+namespace {
+
+bool are_ellipsoids(const PosedQuadric& a, const PosedQuadric& b) {
+  constexpr PosedQuadric::Kind ellipsoid = PosedQuadric::kind_of<Ellipsoid>;
+  return a.kind() == ellipsoid && b.kind() == ellipsoid;
+}
+
+}  // namespace
+
 std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedQuadric& b) {
-  const auto is_ellipsoid = [](const PosedQuadric& shape) { return shape.kind() == PosedQuadric::kind_of<Ellipsoid>; };
-  return is_ellipsoid(a) && is_ellipsoid(b) ? ellipsoid_contact(a, b) : fast_contact(a, b);
+  return are_ellipsoids(a, b) ? ellipsoid_contact(a, b) : fast_contact(a, b);
 }
 std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedPolytope& b) {
   return fast_contact(a, b);
 }
+std::optional<QuadricContact> contact_after_depth(const PosedQuadric& a, const PosedQuadric& b) {
+  return are_ellipsoids(a, b) ? contact_in_doubles(a, b) : std::nullopt;
+}
+std::optional<QuadricContact> contact_after_depth(const PosedQuadric&, const PosedPolytope&) { return {}; }
 
 }  // namespace toccata

@@ -53,8 +53,11 @@ class FastPair {
 [[nodiscard]] std::optional<QuadricContact> fast_contact(const PosedQuadric& a, const PosedPolytope& b);
 
 // The same where the depth is asked for next. The search for a direction that parts ellipsoids takes long where they
-// hardly meet, and that for their lowest place does not: so they are compared by their own way alone.
+// hardly meet, and that for their lowest place does not: so they are compared by their own way alone, and by the search
+// after the depth where no lowest place was found.
 [[nodiscard]] std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedQuadric& b);
 [[nodiscard]] std::optional<QuadricContact> contact_before_depth(const PosedQuadric& a, const PosedPolytope& b);
+[[nodiscard]] std::optional<QuadricContact> contact_after_depth(const PosedQuadric& a, const PosedQuadric& b);
+[[nodiscard]] std::optional<QuadricContact> contact_after_depth(const PosedQuadric& a, const PosedPolytope& b);
 
 }  // namespace toccata
