@@ -6,6 +6,7 @@
 
 #include "narrow/quadric_cases.hpp"
 #include "narrow/quadrics/depth/lowest_place.hpp"
+#include "oracle/quadric_contact.hpp"
 #include "toccata/math/pose.hpp"
 
 namespace toccata::test {
@@ -166,6 +167,25 @@ TEST(LowestPlace, IsNotTakenWhereTheWayBackIsShorter) {
     EXPECT_GE(found.lower, through * (1 - 1e-12));
     EXPECT_EQ(found.direction, (Vec3{0, 0, -1}));
   }
+}
+
+// The end of a can lies flat on a face of a box, but for the rounding of both: along a direction between theirs they
+// are less deep than along the normal as it is told, whose length and the way round the rim must not be taken for more.
+TEST(LowestPlace, OfAnEndOnAFaceIsNoMoreThanAlongADirectionBetween) {
+  const Mat3 turned{{Vec3{-0x1.0e44279b4541cp-1, 0x1.65038564e63b1p-1, -0x1.f08db22d9567fp-2},
+                     Vec3{0x1.a2655ff8673d1p-1, 0x1.252757aea6866p-1, -0x1.0f424b4b6e48dp-4},
+                     Vec3{0x1.da0bb10f60656p-3, -0x1.b99203ddb6149p-2, -0x1.be7d5528b290ap-1}}};
+  const PlacedQuadric can{Cylinder(0x1.e5d8d6dcea394p-6, 0x1.1c201aa6660f2p-1), {turned, {}}};
+  const PlacedPolytope box{Box({0x1.1f5de5befcd4cp-1, 0x1.ff8561c104f58p-1, 0x1.19ca5d51dfbbdp-1}),
+                           {turned, {-0x1.72a0d31957ebep-1, -0x1.de117f508c6bbp-2, -0x1.a8b3fe5a41138p-1}}};
+  const Penetration found = penetration(posed(can), posed(box));
+  using oracle::Fine;
+  const oracle::FinePoint between{Fine(-0x1.f08db22d95681p-2) - Fine(0x1.185884ed309d6p-56),
+                                  Fine(-0x1.0f424b4b6e48bp-4) + Fine(0x1.7fafbb3e0e795p-63),
+                                  Fine(-0x1.be7d5528b290bp-1) + Fine(0x1.183d29d502493p-56)};
+  const Fine height = oracle::depth_along(fine_set(can), fine_set(box), between);
+  EXPECT_LE(Fine(found.lower), height);
+  EXPECT_GE(found.lower, found.upper * (1 - 1e-8));
 }
 
 // Of a needle that lies in a slab, flush with both of its sides but for a little.

@@ -123,9 +123,9 @@ void QuadricCap::look_at(Side& side, const Vec3& outward) const {
   const Vec3 along = body.along_columns(outward);
   side.size = std::sqrt(squared);
   side.growth = plain_length(along);
-  // Where the round part is flat along the axis, it counts as the plane that touches it
-  // there.
-  if (!(side.growth > 0x1p-30 * side.size)) return;
+  // Where the round part is flat along the axis, it counts as the point of it that was taken.
+  side.is_flat = !(side.growth > 0x1p-30 * side.size);
+  if (side.is_flat) return;
   side.unsure = rounding_of_sums * side.size / side.growth;
   side.is_round = share > 0;
   side.share = all ? 1 : share;
@@ -259,12 +259,19 @@ Number QuadricCap::weighed_height(const std::array<Number, most_pairs>& height) 
   return weighed / total;
 }
 
+template <class Number>
+Number QuadricCap::height_of_side(const Side& side, const QuadricSupport& on, const FineVector& outward) const {
+  if (!side.is_flat) return generator_height<Number>(*side.body, on.generator, outward);
+  return inner(vector_as<Number>(outward), point_of<Number>(*side.body, body_point(on)));
+}
+
 /// Gives what the height is certainly no less than.
 template <class Number>
 double QuadricCap::refined() {
   std::array<Number, most_pairs> height;
   for (std::size_t i = 0; i < count_; ++i)
-    height[i] = height_of_pair<Number>(*side_[0].body, *side_[1].body, generators_[i], axis_);
+    height[i] = height_of_side<Number>(side_[0], on_a_[i], fine(axis_)) +
+                height_of_side<Number>(side_[1], on_b_[i], fine(-axis_));
   const Number weighed = weighed_height(height);
   height_ = middle(weighed);
   uneven_ = 0;

@@ -97,6 +97,7 @@ class QuadricCap {
   struct Side {
     const QuadricBody* body = nullptr;
     bool is_round = false;
+    bool is_flat = false;   ///< the direction of Mᵀd is rounding: the points are those that were taken, and no others
     double share = 1;       ///< of the weights, of pairs that have it
     double growth = 0;      ///< μ = |Mᵀd|
     double size = 0;        ///< |M|, or more
@@ -115,6 +116,8 @@ class QuadricCap {
   void look();
   void weigh();
   void look_at(Side& side, const Vec3& outward) const;
+  template <class Number>
+  [[nodiscard]] Number height_of_side(const Side& side, const QuadricSupport& on, const FineVector& outward) const;
   template <class Number>
   [[nodiscard]] Number weighed_height(const std::array<Number, most_pairs>& height) const;
   template <class Number>
