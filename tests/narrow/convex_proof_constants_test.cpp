@@ -165,5 +165,17 @@ TEST(ConvexProofConstants, GapsThatAreTinyBesideTheTrianglesAreRounded) {
   EXPECT_GE(square_of_length(exact(gaps.upper[0])), gap);
 }
 
+// Along an axis nothing is added to the upper end for the direction. The depth is 2^-120 less than 1: what only exact
+// arithmetic tells.
+TEST(ConvexProofConstants, ADepthAlongAnAxisLiesBetweenTwoDoubles) {
+  const double little = 0x1p-120;
+  const Penetration found = penetration(PosedPolytope(Capsule({-1, 0, 0}, {-3, 1, 0}, 1)),
+                                        PosedPolytope(Capsule({little, 0, 0}, {3, 0, 1}, 1)));
+  EXPECT_EQ(found.direction, (Vec3{1, 0, 0}));
+  EXPECT_LE(exact(found.lower), Rational(1) - exact(little));
+  EXPECT_GE(exact(found.upper), Rational(1) - exact(little));
+  EXPECT_LT(found.lower, found.upper);
+}
+
 }  // namespace
 }  // namespace toccata::test

@@ -33,19 +33,19 @@ namespace {
 constexpr double gap_between = 0x1p-6;
 constexpr int most_turns = 4;
 /// A turn that is as small is not worth another one.
-constexpr double small_turn = 0x1p-7;
+constexpr double small_turn_of_guess = 0x1p-7;
 constexpr int most_settling_steps = 8;
 /// Heights that differ by less are one, in a pair of size 1.
 constexpr double indistinct_heights = 0x1p-40;
 /// Deeper than this, in a pair of size 1, little comes of it.
 constexpr double deepest = 0.3;
 /// What the interval of the depth is asked to be as narrow as.
-constexpr double width_of_depth = 0x1p-43;
+constexpr double width_at_lowest = 0x1p-43;
 /// More than what points in doubles are off by and products with them, as a part of all that they are made of.
 constexpr double rounding_of_points = 0x1p-44;
 
 /// A direction from A to B, and the pairs of generators whose points are highest along it.
-struct Guess {
+struct PlaceGuess {
   Vec3 axis;
   std::array<GeneratorPair, 3> pairs{};
   std::size_t count = 0;
@@ -54,7 +54,7 @@ struct Guess {
 
 /// Pairs of weights that have the sides' weights in sum: the point between the sides' points is one between the pairs'.
 /// False where it takes more than three.
-bool take_pairs(Guess& guess, const FastSide& a, const FastSide& b) {
+bool take_pairs(PlaceGuess& guess, const FastSide& a, const FastSide& b) {
   guess.count = 0;
   double of_a = a.weight[0], of_b = b.weight[0];
   for (std::size_t i = 0, j = 0; i < a.size && j < b.size;) {
@@ -72,7 +72,7 @@ bool take_pairs(Guess& guess, const FastSide& a, const FastSide& b) {
 
 /// The bodies are brought apart along a direction, and their nearest points tell the next one: where D is bent less
 /// than the origin is deep, one that is nearer to that of the lowest place.
-std::optional<Guess> guess_along(const QuadricBody& a, const QuadricBody& b, const Vec3& axis) {
+std::optional<PlaceGuess> guess_along(const QuadricBody& a, const QuadricBody& b, const Vec3& axis) {
   const PlainBody moved = a.PlainBody::moved(-(HighestPoint(a, b, axis).height + gap_between) * axis);
   QuadricSearch search(moved, b, -axis);
   FastRefinement refinement(moved, b);
@@ -81,7 +81,7 @@ std::optional<Guess> guess_along(const QuadricBody& a, const QuadricBody& b, con
     if (search.inside()) return {};
     refinement.begin(search.simplex(), search.nearest());
     if (!refinement.run()) continue;
-    Guess guess{unit_or_zero(-refinement.direction())};
+    PlaceGuess guess{unit_or_zero(-refinement.direction())};
     guess.on_round_face = {refinement.on_a().in_cap, refinement.on_b().in_cap};
     return take_pairs(guess, refinement.on_a(), refinement.on_b()) ? std::optional(guess) : std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<Guess> guess_along(const QuadricBody& a, const QuadricBody& b, con
 }
 
 /// By Newton's method on the heights that the pairs have in common.
-std::optional<QuadricCap> settled(const QuadricBody& a, const QuadricBody& b, const Guess& guess) {
+std::optional<QuadricCap> settled_cap(const QuadricBody& a, const QuadricBody& b, const PlaceGuess& guess) {
   const std::span<const GeneratorPair> pairs(guess.pairs.data(), guess.count);
   QuadricCap cap(a, b, guess.axis, pairs);
   for (int i = 0; i < most_settling_steps; ++i) {
@@ -103,18 +103,18 @@ std::optional<QuadricCap> settled(const QuadricBody& a, const QuadricBody& b, co
 }
 
 /// A direction from n, by the tangent of the angle.
-struct Turn {
+struct TurnFromAxis {
   double cosine;
   double sine;
 };
 
-Turn turn_of(double tangent) {
+TurnFromAxis turn_of(double tangent) {
   const double cosine = 1 / std::sqrt(1 + tangent * tangent);
   return {cosine, cosine * tangent};
 }
 
 /// The heights of a point of D around −n, up to an angle β less than a right one.
-bool is_high_behind(const Vec3& axis, const Vec3& opposite, const Turn& back, double enough) {
+bool is_high_behind(const Vec3& axis, const Vec3& opposite, const TurnFromAxis& back, double enough) {
   const double height = -dot(axis, opposite), aside = plain_length(opposite + height * axis);
   return height * back.cosine - aside * back.sine >= enough;
 }
@@ -139,9 +139,9 @@ double size_of_columns(const QuadricBody& body) {
 }
 
 /// Points of D around a cap's axis: those of its pairs, and the highest ones along directions at its rim.
-class Surroundings {
+class CapSurroundings {
  public:
-  Surroundings(const QuadricBody& a, const QuadricBody& b, const QuadricCap& cap, double tangent)
+  CapSurroundings(const QuadricBody& a, const QuadricBody& b, const QuadricCap& cap, double tangent)
       : a_(a), b_(b), axis_(cap.axis()), x_(some_across(axis_)), y_(cross(axis_, x_)), turn_(turn_of(tangent)) {
     for (std::size_t i = 0; i < cap.generators().size(); ++i) take(cap.point(i));
     for (std::size_t i = 0; i < around.size(); i += 2) take_highest_towards(around[i], turn_);
@@ -180,7 +180,7 @@ class Surroundings {
 
   /// Directions between two angles with n, and one where their points are looked for.
   struct Ring {
-    Turn first, last, towards;
+    TurnFromAxis first, last, towards;
   };
 
   [[nodiscard]] bool are_high(double enough) {
@@ -192,7 +192,7 @@ class Surroundings {
            least_reach({{0, 1}, {-diagonal, diagonal}, {-other, eighth}}, enough) > 0;
   }
 
-  void take_highest_towards(const Across& across, const Turn& turn) {
+  void take_highest_towards(const Across& across, const TurnFromAxis& turn) {
     const HighestPoint found(a_, b_, turn.cosine * axis_ + turn.sine * (across[0] * x_ + across[1] * y_));
     size_ = std::fmax(size_, size_of(found));
     take(found.point);
@@ -213,7 +213,7 @@ class Surroundings {
     for (std::size_t k = 0; k < count_; ++k) {
       const Vec3& p = point_[k];
       const double reach = std::fmin(from[0] * p.x + from[1] * p.y, to[0] * p.x + to[1] * p.y);
-      const auto is_high = [&](const Turn& turn) { return p.z * turn.cosine + reach * turn.sine >= enough; };
+      const auto is_high = [&](const TurnFromAxis& turn) { return p.z * turn.cosine + reach * turn.sine >= enough; };
       if (is_high(ring.first) && is_high(ring.last) && p.z <= enough) most = std::fmax(most, reach);
     }
     if (most > 0 || halvings == 0 || count_ + 1 >= most_points) return most;
@@ -227,7 +227,7 @@ class Surroundings {
   const QuadricBody& a_;
   const QuadricBody& b_;
   Vec3 axis_, x_, y_;
-  Turn turn_;
+  TurnFromAxis turn_;
   Vec3 opposite_;
   std::array<Vec3, most_points> point_;  ///< across the axis, twice, and along it
   std::size_t count_ = 0;
@@ -237,7 +237,7 @@ class Surroundings {
 /// A flat end of a cylinder or a cone, over which a point of the other body lies: a face of D. With d for its height, D
 /// has a disc around its point d n, of the radius r, and as in precise_facet.cpp no direction m at the angle φ with n
 /// where tan(φ / 2) ≤ r / d has a lower height than d.
-std::optional<LowestPlace> proved_round_face(const QuadricBody& a, const QuadricBody& b, const Guess& guess) {
+std::optional<LowestPlace> proved_round_face(const QuadricBody& a, const QuadricBody& b, const PlaceGuess& guess) {
   const bool is_of_a = guess.on_round_face[0];
   const QuadricBody &body = is_of_a ? a : b, &other = is_of_a ? b : a;
   if (body.column_count() != 2) return {};
@@ -276,13 +276,13 @@ bool is_highest(const QuadricBody& a, const QuadricBody& b, const QuadricCap& ca
 /// first.
 std::optional<LowestPlace> proved(const QuadricBody& a, const QuadricBody& b, QuadricCap& cap) {
   if (!(cap.height() > 0 && cap.height() < deepest)) return {};
-  const double tangent = cap.widest_tangent(cap.height() * (1 - width_of_depth));
+  const double tangent = cap.widest_tangent(cap.height() * (1 - width_at_lowest));
   if (!(tangent > 0)) return {};
-  Surroundings around(a, b, cap, tangent * (1 - 0x1p-10));
+  CapSurroundings around(a, b, cap, tangent * (1 - 0x1p-10));
   const double level = cap.height() + around.rounding();
   if (!around.are_higher(level)) return {};
   cap.refine();
-  const double least = cap.height() * (1 - width_of_depth);
+  const double least = cap.height() * (1 - width_at_lowest);
   if (!(least < level)) return {};
   const double lower = std::fmin(least, cap.proved_height(tangent, least));
   if (!(lower > 0)) return {};
@@ -292,26 +292,26 @@ std::optional<LowestPlace> proved(const QuadricBody& a, const QuadricBody& b, Qu
 }  // namespace
 
 std::optional<LowestPlace> lowest_place(const QuadricBody& a, const QuadricBody& b) {
-  Guess guess{unit_or_zero(b.middle() - a.middle())};
+  PlaceGuess guess{unit_or_zero(b.middle() - a.middle())};
   if (guess.axis == Vec3{}) return {};
   if (a.generator_count() == 1 && b.generator_count() == 1) {
     guess.count = 1;
-    std::optional<QuadricCap> cap = settled(a, b, guess);
+    std::optional<QuadricCap> cap = settled_cap(a, b, guess);
     return cap ? proved(a, b, *cap) : std::nullopt;  // of its only generators
   }
   for (int turn = 0; turn < most_turns; ++turn) {
-    const std::optional<Guess> next = guess_along(a, b, guess.axis);
+    const std::optional<PlaceGuess> next = guess_along(a, b, guess.axis);
     if (!next) return {};
     const Vec3 way = next->axis - guess.axis;
     guess = *next;
     if (HighestPoint(a, b, guess.axis).height > 1.25 * deepest) return {};
     if (guess.on_round_face[0] || guess.on_round_face[1]) {
       if (const std::optional<LowestPlace> found = proved_round_face(a, b, guess)) return found;
-    } else if (std::optional<QuadricCap> cap = settled(a, b, guess)) {
+    } else if (std::optional<QuadricCap> cap = settled_cap(a, b, guess)) {
       // The next turn would find the same place again.
       if (is_highest(a, b, *cap)) return proved(a, b, *cap);
     }
-    if (dot(way, way) < small_turn * small_turn) return {};
+    if (dot(way, way) < small_turn_of_guess * small_turn_of_guess) return {};
   }
   return {};
 }
