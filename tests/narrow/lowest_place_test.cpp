@@ -6,6 +6,7 @@
 
 #include "narrow/quadric_cases.hpp"
 #include "narrow/quadrics/depth/lowest_place.hpp"
+#include "narrow/quadrics/depth/quadric_expansion.hpp"
 #include "oracle/quadric_contact.hpp"
 #include "toccata/math/pose.hpp"
 
@@ -186,6 +187,25 @@ TEST(LowestPlace, OfAnEndOnAFaceIsNoMoreThanAlongADirectionBetween) {
   const Fine height = oracle::depth_along(fine_set(can), fine_set(box), between);
   EXPECT_LE(Fine(found.lower), height);
   EXPECT_GE(found.lower, found.upper * (1 - 1e-8));
+}
+
+// A corner of the search's surface that was raised too far comes down, where the surface still has it above.
+TEST(QuadricExpansion, ACornerThatCameDownIsNotTakenForARaisedOne) {
+  const Mat3 turned{{Vec3{-0x1.b93ac92b25d56p-1, -0x1.4f872ae4d9fa6p-2, -0x1.8c9041878666bp-2},
+                     Vec3{0x1.9ef4c9a85058fp-2, 0x1.de5fb1e33dc8p-7, -0x1.d404a40881ce8p-1},
+                     Vec3{0x1.387eaaf14a31bp-2, -0x1.e3ad4b2e6006dp-1, 0x1.ec5561502cedp-4}}};
+  const Mat3 other_turned{{Vec3{-0x1.866481fb3940ep-1, -0x1.2138e275a46cdp-1, 0x1.430950cd66a97p-2},
+                           Vec3{0x1.aadaab916a305p-3, 0x1.fa222fc2d9c18p-3, 0x1.e481648944e9ep-1},
+                           Vec3{-0x1.399b96865fd1fp-1, 0x1.9317c2c8bceecp-1, -0x1.219715fb8661p-4}}};
+  const PosedQuadric splinter(Ellipsoid({0x1.499ae87fba719p-6, 0x1.3bacb85b032aap-10, 0x1.f024fea1d5fbp-3}),
+                              {turned, {}});
+  const PosedQuadric grain(Ellipsoid({0x1.e2eafb1a852ep-20, 0x1.4b2e5bf015d59p-20, 0x1.8c47ea4bc96cdp-20}),
+                           {other_turned, {0x1.80484fc309769p-4, 0x1.c586c58b7726p-3, -0x1.dd19315a649cep-6}});
+  const PairFrame frame = pair_frame(splinter, grain);
+  const QuadricBody a(splinter, frame), b(grain, frame);
+  QuadricExpansion expansion(a, b);
+  (void)expansion.run(0x1p-43, QuadricExpansion::Precision::plain);
+  EXPECT_LE(expansion.proved_depth(), frame.factor * penetration(splinter, grain).upper);
 }
 
 // Of a needle that lies in a slab, flush with both of its sides but for a little.

@@ -169,7 +169,7 @@ std::optional<double> take_step(QuadricSeparation& separation, const QuadricBody
 std::optional<QuadricSeparation> separation_at_lowest_place(const QuadricBody& a, const QuadricBody& b) {
   const std::optional<Penetration> least = depth_of_lowest_place(a, b);
   if (!least || !(aside(least->on_b - least->on_a, least->direction) <= rounding_across)) return {};
-  return QuadricSeparation{least->direction, least->upper, least->on_a, least->on_b};
+  return QuadricSeparation{least->direction, depth_along(a, b, least->direction), least->on_a, least->on_b};
 }
 
 // All of A − B, moved so that it lies a gap before the origin, is no nearer to it than its nearest point w: along the

@@ -25,7 +25,8 @@
 //
 //   h(m) ≥ H cos β − s sin β.
 //
-// All of this holds by far or not at all, so that doubles do. What is as narrow as the depth is told is the cap alone.
+// All of this holds by far or not at all, so that doubles do. Only the height of the cap has to be known as narrowly as
+// the depth is told.
 namespace toccata {
 namespace {
 
@@ -36,7 +37,9 @@ constexpr int most_turns = 4;
 constexpr double small_turn_of_guess = 0x1p-7;
 constexpr int most_settling_steps = 8;
 /// Heights that differ by less are one, in a pair of size 1.
-constexpr double indistinct_heights = 0x1p-40;
+constexpr double indistinct_heights = 0x1p-46;
+/// Points lie across from each other but for this, in a pair of size 1.
+constexpr double rounding_across_axis = 0x1p-44;
 /// Deeper than this, in a pair of size 1, little comes of it.
 constexpr double deepest = 0.3;
 /// What the interval of the depth is asked to be as narrow as.
@@ -113,14 +116,14 @@ TurnFromAxis turn_of(double tangent) {
   return {cosine, cosine * tangent};
 }
 
-/// The heights of a point of D around −n, up to an angle β less than a right one.
+/// Whether a point of D is at least L high along all directions up to an angle β, less than a right one, from −n.
 bool is_high_behind(const Vec3& axis, const Vec3& opposite, const TurnFromAxis& back, double enough) {
   const double height = -dot(axis, opposite), aside = plain_length(opposite + height * axis);
   return height * back.cosine - aside * back.sine >= enough;
 }
 
-/// The same of all heights behind, where in each direction across n some point of D that is no higher than L reaches so
-/// far aside and shows the heights between.
+/// Whether all heights behind are at least L, where in each direction across n some point of D that is no higher than L
+/// reaches so far aside: that one shows them up to an angle with −n, and the opposite point has to show the rest.
 bool are_high_behind(const Vec3& axis, const Vec3& opposite, double reach, double enough) {
   if (!(reach > 2 * enough)) return false;
   // Where z is L, β is enough for reach sin β ≥ L (1 + cos β).
@@ -143,7 +146,10 @@ class CapSurroundings {
  public:
   CapSurroundings(const QuadricBody& a, const QuadricBody& b, const QuadricCap& cap, double tangent)
       : a_(a), b_(b), axis_(cap.axis()), x_(some_across(axis_)), y_(cross(axis_, x_)), turn_(turn_of(tangent)) {
-    for (std::size_t i = 0; i < cap.generators().size(); ++i) take(cap.point(i));
+    for (std::size_t i = 0; i < cap.generators().size(); ++i) {
+      size_ = std::fmax(size_, sum_of_magnitudes(cap.on_a(i).point) + sum_of_magnitudes(cap.on_b(i).point));
+      take(cap.point(i));
+    }
     for (std::size_t i = 0; i < around.size(); i += 2) take_highest_towards(around[i], turn_);
     const HighestPoint opposite(a, b, -axis_);
     opposite_ = opposite.point;
@@ -153,7 +159,7 @@ class CapSurroundings {
   /// More than what heights that are known in doubles may be off by.
   [[nodiscard]] double rounding() const { return rounding_of_points * size_; }
 
-  /// All heights beyond the cap are at least `least`. By points that reach far aside, or else by those behind, too.
+  /// All heights beyond the cap are at least `least`: shown by points that reach far aside, or else by others behind.
   [[nodiscard]] bool are_higher(double least) {
     // Points that are still to be found may be larger.
     const double allowed = 2 * rounding();
@@ -285,8 +291,9 @@ std::optional<LowestPlace> proved(const QuadricBody& a, const QuadricBody& b, Qu
   const double least = cap.height() * (1 - width_at_lowest);
   if (!(least < level)) return {};
   const double lower = std::fmin(least, cap.proved_height(tangent, least));
-  if (!(lower > 0)) return {};
-  return LowestPlace{cap.axis(), lower, cap.between_on_a(), cap.between_on_b()};
+  const Vec3 on_a = cap.between_on_a(), on_b = cap.between_on_b(), between = on_a - on_b;
+  const bool are_across = plain_length(between - dot(between, cap.axis()) * cap.axis()) <= rounding_across_axis;
+  return lower > 0 && are_across ? std::optional(LowestPlace{cap.axis(), lower, on_a, on_b}) : std::nullopt;
 }
 
 }  // namespace

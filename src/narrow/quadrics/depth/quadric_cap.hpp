@@ -65,9 +65,9 @@ class QuadricCap {
 
   [[nodiscard]] const Vec3& axis() const { return axis_; }
   [[nodiscard]] std::span<const GeneratorPair> generators() const { return {generators_.data(), count_}; }
-  /// The point of the first pair, and what it is made of.
-  [[nodiscard]] const QuadricSupport& on_a() const { return on_a_[0]; }
-  [[nodiscard]] const QuadricSupport& on_b() const { return on_b_[0]; }
+  /// The point of a pair, and what it is made of.
+  [[nodiscard]] const QuadricSupport& on_a(std::size_t pair = 0) const { return on_a_[pair]; }
+  [[nodiscard]] const QuadricSupport& on_b(std::size_t pair = 0) const { return on_b_[pair]; }
   [[nodiscard]] const Vec3& point(std::size_t pair = 0) const { return point_[pair]; }
   /// The points of A and of B whose difference is the point between the pairs' points through which the axis goes.
   [[nodiscard]] Vec3 between_on_a() const { return between(on_a_); }

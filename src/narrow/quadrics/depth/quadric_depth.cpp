@@ -20,16 +20,24 @@ namespace {
 /// deep in many directions (balls around one centre, round bars along one axis), it would take corners without end.
 constexpr std::array<double, 5> parts{0x1p-43, 1e-5, 1e-3, 1e-2, 0.05};
 
+/// What a height of bodies of size 1 may change by where its direction is rounded.
+constexpr double rounding_of_direction = 0x1p-50;
+
 /// Two bodies, in the pair's frame.
 class DeepPair {
  public:
   DeepPair(const QuadricBody& a, const QuadricBody& b) : a_(a), b_(b), expansion_(a, b) {}
 
-  /// One place is looked at: where it is proved to be the lowest, all is found and the bodies meet.
-  bool is_lowest_place_found() {
+  /// Looks for one place that is the lowest. Where that is proved, as narrowly as a direction of doubles tells, all is
+  /// found and the bodies meet.
+  bool find_lowest_place() {
     lowest_ = lowest_place(a_, b_);
-    if (lowest_) result_.lower = lowest_->lower;
-    return lowest_.has_value();
+    if (!lowest_) return false;
+    result_.lower = lowest_->lower;
+    take(fine(lowest_->axis));
+    if (result_.upper - result_.lower <= 1e-12 * result_.upper + rounding_of_direction) return true;
+    lowest_.reset();
+    return false;
   }
 
   /// The search begins: where it is proved that the origin lies deep within A − B, they are known to meet.
@@ -41,8 +49,10 @@ class DeepPair {
   /// The least depth of bodies that have a common inner point.
   Penetration answer() {
     while (!lowest_ && !found_ && attempts_ < 2 * parts.size()) found_ = attempt();
-    take(fine(lowest_ ? lowest_->axis : expansion_.direction()));
-    if (!lowest_) refinement();
+    if (!lowest_) {
+      take(fine(expansion_.direction()));
+      refinement();
+    }
     result_.status = result_.upper - result_.lower <= 1e-12 * result_.upper ? Status::exact : Status::not_converged;
     return result_;
   }
@@ -101,7 +111,7 @@ class DeepPair {
 
 std::optional<Penetration> depth_of_lowest_place(const QuadricBody& a, const QuadricBody& b) {
   DeepPair pair(a, b);
-  return pair.is_lowest_place_found() ? std::optional(pair.answer()) : std::nullopt;
+  return pair.find_lowest_place() ? std::optional(pair.answer()) : std::nullopt;
 }
 
 Penetration least_depth(const QuadricBody& a, const QuadricBody& b) { return DeepPair(a, b).answer(); }
@@ -126,7 +136,7 @@ Penetration penetration_of(const PosedQuadric& shape_a, const B& shape_b) {
   const PairFrame frame = pair_frame(shape_a, shape_b);
   const QuadricBody a(shape_a, frame), b(shape_b, frame);
   DeepPair pair(a, b);
-  if (!pair.is_lowest_place_found()) {
+  if (!pair.find_lowest_place()) {
     if (contact_after_depth(shape_a, shape_b) == QuadricContact::apart) return {};
     if (!pair.certainly_meet()) {
       const QuadricNearest near = nearest_of(shape_a, a, shape_b, b, QuadricQuestion::distance);

@@ -266,13 +266,20 @@ double QuadricExpansion::corner_error() const {
   return 0x1p-48 * (largest + 2 * columns);
 }
 
+/// The surface still has a corner of the facet where it was raised to.
+bool QuadricExpansion::has_come_down(std::size_t facet) const {
+  const FacetSlots::Corners corners = surface_.corners_of(facet);
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](std::size_t i) { return corner_[i].times > 0 && !(corner_[i].tangent > 0); });
+}
+
 // Every facet turns its outer side away from the origin, so that the closed surface goes round the origin, and all
 // its corners' hull holds the ball that reaches to the lowest facet.
 double QuadricExpansion::proved_lowest(double enough) const {
   const double error = corner_error();
   double least = enough;
   for (std::size_t f = 0; f < surface_.facet_count() && least > 0; ++f) {
-    if (surface_.is_vacant(f) || surface_.is_surely_above(f, least, error)) continue;
+    if (surface_.is_vacant(f) || (!has_come_down(f) && surface_.is_surely_above(f, least, error))) continue;
     if (proved_height<BoundedDouble>(f) >= least) continue;
     least = std::fmin(least, proved_height<BoundedNumber>(f));
   }

@@ -51,7 +51,7 @@ class QuadricExpansion {
     Vec3 axis;  ///< of a raised corner
     std::array<GeneratorPair, 3> generators{};
     std::size_t generator_count = 0;
-    double times = 0;    ///< s
+    double times = 0;    ///< s; 0 of what was never raised
     double tangent = 0;  ///< t; 0 of what is not raised
 
     explicit Corner(const HighestPoint& highest) : a(highest.on_a), b(highest.on_b) {}
@@ -78,6 +78,7 @@ class QuadricExpansion {
   [[nodiscard]] static double proved_height(const std::array<VectorOf<Number>, 3>& corner);
   [[nodiscard]] GrowingSurface::Corner placed(const Corner& corner, const Vec3& point) const;
   [[nodiscard]] double corner_error() const;
+  [[nodiscard]] bool has_come_down(std::size_t facet) const;
   template <class Number>
   [[nodiscard]] double proved_height(std::size_t facet) const;
   [[nodiscard]] double proved_lowest(double enough) const;
