@@ -1,31 +1,25 @@
 #include "converted.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
-#include <csignal>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "environment.hpp"
 #include "file_text.hpp"
 #include "installed_program.hpp"
+#include "output.hpp"
+#include "run_program.hpp"
 #include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "words.hpp"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace toccata::command {
 namespace {
@@ -83,45 +77,6 @@ Seconds patience() {
   return seconds_of_environment("TOCCATA_READER_SECONDS", 1h, 365 * 24h, "a year");
 }
 
-/// Its status, or none where it took too long, and was ended.
-std::optional<int> awaited(pid_t process, Seconds patience) {
-  constexpr std::chrono::milliseconds shortest(1), longest(20);
-  const auto end = std::chrono::steady_clock::now() + patience;
-  int status = 0;
-  for (auto pause = shortest;; pause = std::min(longest, 2 * pause)) {
-    const pid_t ended = waitpid(process, &status, WNOHANG);
-    if (ended == process) return status;
-    if (ended < 0 && errno != EINTR)
-      throw Error(fmt::format("how a reader ended is not known: {}", std::generic_category().message(errno)));
-    if (std::chrono::steady_clock::now() > end) {
-      kill(process, SIGKILL);
-      waitpid(process, &status, 0);
-      return std::nullopt;
-    }
-    std::this_thread::sleep_for(pause);
-  }
-}
-
-std::optional<int> status_of(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
-  const Seconds longest = patience();
-  std::vector<std::string> copies = words;
-  std::vector<char*> pointers;
-  for (std::string& word : copies) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  pid_t process = 0;
-  // Whoever began this may have had it ignored, and nobody is told then how a program ended.
-  std::signal(SIGCHLD, SIG_DFL);
-  const int code = posix_spawn(&process, words[0].c_str(), &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
-  return awaited(process, longest);
-}
-
 std::vector<std::string> lines_in(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -132,6 +87,7 @@ std::vector<std::string> lines_in(const std::string& text) {
 
 void require_success(const std::string& path, const Converter& converter, std::optional<int> status,
                      const fs::path& err) {
+  if (!status && UninterruptedWriting::is_interrupted()) throw Error(path + ": reading it was interrupted");
   if (!status)
     throw Error(
         fmt::format("{}: {} has not come to an end with it, and was ended: the file is damaged, or takes longer than "
@@ -153,24 +109,27 @@ ConvertedScene read_by_program(const std::string& path, const Converter& convert
   std::error_code unknown;
   if (!fs::is_regular_file(path, unknown)) throw Error(path + ": there is no such file; check the name and the folder");
   const TemporaryFolder folder;
-  const fs::path scene = folder.path() / "scene.json", out = folder.path() / "out", err = folder.path() / "err";
+  const fs::path scene = folder.path() / "scene.json";
   std::vector<std::string> words = {program, path, scene.string()};
   if (!conversion.tessellation.empty() && converter.has_curved_faces)
     words.insert(words.end(), {"--tessellation", conversion.tessellation});
-  require_success(path, converter, status_of(words, out, err), err);
+  const Seconds longest = patience();
+  require_success(path, converter, run_program(words, folder.path(), longest), folder.path() / "err");
   ConvertedScene converted{read_scene(scene.string(), {.scale = conversion.scale}), {}};
   if (conversion.metres_per_unit) {
     converted.scene = scaled(std::move(converted.scene), *conversion.metres_per_unit);
     converted.scene.unit = "m";
   }
-  for (const std::string& note : lines_in(text_of_file(out)))
+  for (const std::string& note : lines_in(text_of_file(folder.path() / "out")))
     converted.notes.push_back(fmt::format("{}: {}", path, note));
   return converted;
 }
 
 }  // namespace
 
-bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || converter_of(path) != nullptr; }
+bool is_read_by_program(const std::string& path) { return converter_of(path) != nullptr; }
+
+bool is_converted(const std::string& path) { return lower_extension(path) == ".3mf" || is_read_by_program(path); }
 
 std::vector<std::string> converted_formats(FormatsOf which) {
   std::vector<std::string> formats{"3mf"};

@@ -12,6 +12,9 @@ namespace toccata::command {
 /// Whether a file of that name is read by way of another program or library: 3MF, STEP, IFC, and what Assimp reads.
 [[nodiscard]] bool is_converted(const std::string& path);
 
+/// Whether it takes another program, one of those that `read_converted` names.
+[[nodiscard]] bool is_read_by_program(const std::string& path);
+
 /// Files that are named, or also those that lie in a folder that is. What Assimp reads is of very many kinds, and much
 /// of it no part: such files are named themselves.
 enum class FormatsOf { commands, folders };

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <span>
 #include <variant>
@@ -20,6 +21,7 @@
 #include "free_names.hpp"
 #include "memory.hpp"
 #include "named_files.hpp"
+#include "output.hpp"
 #include "progress_bar.hpp"
 #include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
@@ -220,6 +222,10 @@ ScenesRead read_all(const InputArguments& input) {
   for (const std::string& file : files) paths.push_back(path_of(file, input.folder));
   require_memory(paths);
   std::vector<ConvertedScene> scenes(files.size());
+  // An end that is asked for waits until the programs that read for this one are ended, and their files are gone.
+  std::optional<UninterruptedWriting> reading;
+  const auto takes_program = [&](const std::string& file) { return is_read_by_program(name_with_format(file, input)); };
+  if (std::any_of(files.begin(), files.end(), takes_program)) reading.emplace();
   ProgressBar bar("MB read");
   FilesRead progress(paths, bar.callback());
   parallel_for(files.size(), input.threads, [&](std::size_t i) {

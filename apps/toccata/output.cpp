@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <system_error>
-#include <utility>
 
 #include "toccata/core/error.hpp"
 #include "words.hpp"
@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The signal that came last; a handler can reach nothing else.
-volatile std::sig_atomic_t waiting_signal = 0;
+std::atomic<int> waiting_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 
@@ -44,7 +45,7 @@ UninterruptedWriting::UninterruptedWriting() {
 
 UninterruptedWriting::~UninterruptedWriting() {
   for (std::size_t i = 0; i < signals_.size(); ++i) sigaction(signals_[i], &before_[i], nullptr);
-  if (const int signal = std::exchange(waiting_signal, 0); signal != 0) raise(signal);
+  if (const int signal = waiting_signal.exchange(0); signal != 0) raise(signal);
 }
 
 bool UninterruptedWriting::is_interrupted() { return waiting_signal != 0; }

@@ -1,13 +1,8 @@
 #include "picture.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
-#include <csignal>
 
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -16,24 +11,21 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "file_text.hpp"
 #include "finding_words.hpp"
 #include "look.hpp"
 #include "output.hpp"
+#include "run_program.hpp"
 #include "temporary_folder.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/reports/output_file.hpp"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace toccata::command {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 std::string find_browser() {
   const char* folders = std::getenv("PATH");
@@ -71,57 +63,6 @@ std::vector<std::string> words_of(const std::string& browser, const fs::path& fo
   return words;
 }
 
-/// As posix_spawn takes them.
-std::vector<char*> pointers_to(std::vector<std::string>& words) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// This program's, but that temporary files go to the folder: a browser that is ended leaves some.
-std::vector<std::string> environment_with(const fs::path& temporary) {
-  std::vector<std::string> variables;
-  for (char** one = environ; *one != nullptr; ++one)
-    if (!std::string_view(*one).starts_with("TMPDIR=")) variables.emplace_back(*one);
-  variables.push_back("TMPDIR=" + temporary.string());
-  return variables;
-}
-
-/// The process, silent, in a group of its own: a browser is many.
-pid_t started(std::vector<std::string> words, const fs::path& temporary) {
-  std::vector<std::string> variables = environment_with(temporary);
-  const std::vector<char*> arguments = pointers_to(words), environment = pointers_to(variables);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t process = 0;
-  const int code = posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environment.data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (code != 0) throw Error(fmt::format("{} cannot be run: {}", words[0], std::generic_category().message(code)));
-  return process;
-}
-
-/// Waits for the process; when it takes too long, or somebody wants an end of this, it and its children are ended.
-void await(pid_t process) {
-  constexpr std::chrono::minutes patience(2);
-  const Clock::time_point end = Clock::now() + patience;
-  while (waitpid(process, nullptr, WNOHANG) == 0) {
-    if (UninterruptedWriting::is_interrupted() || Clock::now() > end) {
-      kill(-process, SIGKILL);
-      waitpid(process, nullptr, 0);
-      return;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-}
-
 int parse_extent(std::string_view text) {
   int extent = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), extent);
@@ -149,7 +90,8 @@ void write_picture(const std::string& page, const PictureTarget& target) {
   const UninterruptedWriting writing;
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "page.html", std::ios::binary) << page;
-  await(started(words_of(browser, folder.path(), target), folder.path()));
+  constexpr std::chrono::minutes patience(2);
+  static_cast<void>(run_program(words_of(browser, folder.path(), target), folder.path(), patience));  // a picture tells
   if (UninterruptedWriting::is_interrupted()) return;
   const std::string picture = text_of_file(folder.path() / "picture.png");
   if (picture.empty())
