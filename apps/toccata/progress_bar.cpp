@@ -49,7 +49,6 @@ Progress ProgressBar::callback() {
 }
 
 void ProgressBar::keep_showing() {
-  using Seconds = std::chrono::duration<double>;
   std::unique_lock lock(mutex_);
   Seconds pause = terminal_ ? Seconds(0.5) : line_pause_;
   while (!over_.wait_for(lock, pause, [this] { return is_over_; })) {
