@@ -67,10 +67,11 @@ inline std::string witness_fault(const Distance& d, const oracle::ConvexSet& a, 
   return oracle::dot(between, between) <= reach * reach ? "" : "the witnesses are farther apart than the shapes";
 }
 
-/// Empty when the witnesses are those of exact arithmetic, but for what they may be off by. A common point of cores may
-/// be any.
+/// Empty when the witnesses are those of exact arithmetic, but for what they may be off by. A common point may be any:
+/// `witness_fault` looks whether it is one.
 inline std::string exact_witness_fault(const Distance& d, const PosedPolytope& a, const PosedPolytope& b,
                                        const oracle::Rational& size) {
+  if (d.upper == 0) return "";
   VertexPairs first;
   first.append(0, 0);
   const ExactNearest nearest = exact_nearest(a, b, first);

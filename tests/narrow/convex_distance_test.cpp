@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "narrow/convex/aligned_cores.hpp"
 #include "narrow/convex/canonical_order.hpp"
 #include "narrow/convex_distance_checks.hpp"
 #include "narrow/exact/exact_distance.hpp"
+#include "narrow/museum.hpp"
 #include "narrow/primitives/closed_forms.hpp"
 #include "support/simd_levels.hpp"
 #include "toccata/bounds/aabb.hpp"
@@ -347,6 +349,47 @@ TEST(ConvexOverlap, OfACapsuleAndABoxIsToldByAFormula) {
     EXPECT_EQ(found == Nearness::meet, overlap_by_gjk(capsule, body));
   }
   EXPECT_GT(told, count - 10);
+}
+
+std::string witness_fault_of(const Distance& d, const PosedPolytope& a, const PosedPolytope& b) {
+  return test::witness_fault(d, museum::set_of(a), museum::set_of(b));
+}
+
+/// Beside it, through it and in it.
+TEST(ConvexDistance, OfACapsuleThatMeetsABoxIsAClosedForm) {
+  Random random(9);
+  std::size_t meeting = 0, told = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto any = [&](double size) {
+      return Vec3{random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+    };
+    const Vec3 way = any(3);
+    const PosedPolytope capsule(Capsule(-way, way, random.between(0.01, 1)), Pose::translation(any(2)));
+    const PosedPolytope body = box({1, 1.5, 0.5}, {0.1, 0.2, 0.3}, turned(random.between(0, 7)));
+    SimplexCache workspace;
+    const Distance found = distance(capsule, body, &workspace);
+    if (found.upper > 0) continue;
+    ++meeting;
+    told += workspace.counts.closed_forms;
+    EXPECT_EQ(witness_fault_of(found, capsule, body), "") << i;
+    EXPECT_EQ(distance(body, capsule), test::exchanged(found)) << i;
+  }
+  EXPECT_GT(meeting, 200U);
+  EXPECT_EQ(told, meeting);
+}
+
+/// Weights of the corners that it is made of are products of three coordinates, and must not overflow.
+TEST(ConvexDistance, OfSolidsThatMeetHasACommonPointWhateverTheirSize) {
+  Random random(10);
+  for (int i = 0; i < 600; ++i) {
+    const double size = std::pow(10.0, random.between(-99, 99)), thin = i % 3 == 0 ? 1e-9 : 1;
+    const Mat3 other = turned(random.between(0, 7));
+    const PosedPolytope a = box({size, 2 * size, thin * size}, {3 * size, 0, 0}, turned(random.between(0, 7)));
+    const PosedPolytope b =
+        box({size, thin * size, size}, {random.between(2, 4) * size, 0, 0}, {{other[1], other[2], other[0]}});
+    const Distance found = distance(a, b);
+    EXPECT_EQ(witness_fault_of(found, a, b), "") << i << ", size " << size;
+  }
 }
 
 TEST(ConvexOverlap, OfAlignedBoxesThatTouchIsAClosedForm) {

@@ -187,7 +187,10 @@ class ConvexQuestion {
       if (!distance) distance = distance_from(certain_nearest(a_, b_, simplex));
       return distance ? distance : distance_from(certain_nearest_along(a_, b_, end.nearest));
     }
-    if (cores != Cores::any || !contains_origin(a_.shape(), b_.shape(), simplex)) return {};
+    if (cores != Cores::any) return {};
+    if (const std::optional<Vec3> point = plain_common_point(a_.shape(), b_.shape(), simplex))
+      return certified(Distance{0, 0, *point, *point, Status::exact});
+    if (!contains_origin(a_.shape(), b_.shape(), simplex)) return {};
     const std::optional<Distance> distance = at_common_point(common_point(a_.shape(), b_.shape(), simplex));
     return distance ? certified(distance) : distance;
   }

@@ -119,8 +119,24 @@ HWY_INLINE Distance distance_for(const OneBall& a, const OneBlock& b) {
   return distance_outside(a, b, at);
 }
 
+/// Certainly, and by more than the frame is off.
+HWY_INLINE bool meets(const RodBesideBox& rod, double reach) {
+  const double inner = reach - rod.nearest.error;
+  return inner > 0 && rod.nearest.squared < less_square * (inner * inner);
+}
+
+/// Of a segment that meets the box: a common point divides the way between the cores as the radii do.
+HWY_INLINE Distance no_distance(const OneRod& a, const OneBlock& b, const RodBesideBox& rod) {
+  const OneVector on_core = plus(a.start, scaled(rod.share, minus(a.end, a.start)));
+  Distance distance;
+  store(minus(on_core, scaled(a.radius / (a.radius + b.radius), way_from(b, rod.nearest))), distance.on_a);
+  distance.on_b = distance.on_a;
+  return distance;
+}
+
 HWY_INLINE Distance distance_for(const OneRod& a, const OneBlock& b) {
   const RodBesideBox rod = beside(a, b);
+  if (meets(rod, a.radius + b.radius)) return no_distance(a, b, rod);
   if (!(rod.nearest.beyond[rod.nearest.across] > rod.nearest.error)) return unknown_distance();
   return distance_outside(a, b, rod);
 }
@@ -187,8 +203,8 @@ HWY_INLINE Manifold manifold_for(const OneRod& a, const OneBlock& b) {
 
 HWY_INLINE Nearness nearness_for(const OneRod& a, const OneBlock& b) {
   const RodBesideBox rod = beside(a, b);
-  const double reach = a.radius + b.radius, inner = reach - rod.nearest.error, outer = reach + rod.nearest.error;
-  if (inner > 0 && rod.nearest.squared < less_square * (inner * inner)) return Nearness::meet;
+  const double reach = a.radius + b.radius, outer = reach + rod.nearest.error;
+  if (meets(rod, reach)) return Nearness::meet;
   return rod.least_squared > more_square * (outer * outer) ? Nearness::apart : Nearness::unknown;
 }
 
