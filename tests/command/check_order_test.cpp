@@ -39,29 +39,24 @@ void turn_round(Json& vector) {
   for (Json& coordinate : vector) coordinate = -coordinate.get<double>();
 }
 
-/// What is not rounded otherwise where the triangles come in another order, in an order of its own.
-void keep_what_is_the_same(Json& regions) {
-  for (Json& region : regions) {
-    region.erase("area");
-    region.erase("normal");
-  }
-  std::sort(regions.begin(), regions.end());
-}
-
 /// All that is told of a pair, as if the one whose name comes first were a: but for their numbers in the list, which of
-/// the places that are as near is told, the order of regions that are as deep, and which way two equal ones are parted.
+/// the places that are as near is told, and which way two equal ones are parted.
 Json told_of(Json pair) {
   for (const char* const key : {"a_index", "b_index"}) pair.erase(key);
-  if (pair.contains("regions")) keep_what_is_the_same(pair["regions"]);
   if (pair.contains("distance"))
     for (const char* const key : {"on_a", "on_b", "face_a", "face_b"}) pair["distance"].erase(key);
   const bool has_way = pair.contains("penetration") && !pair["penetration"].is_null();
-  if (has_way && pair["containment"] == "equal")
-    for (const char* const key : {"direction", "on_a", "on_b"}) pair["penetration"].erase(key);
+  if (pair["containment"] == "equal") {
+    if (has_way)
+      for (const char* const key : {"direction", "on_a", "on_b"}) pair["penetration"].erase(key);
+    for (Json& region : pair["regions"]) region.erase("normal");
+  }
   if (pair["a"] < pair["b"]) return pair;
   std::swap(pair["a"], pair["b"]);
   flip_way(pair, "containment");
   flip_way(pair, "piercing");
+  if (pair.contains("regions") && pair["containment"] != "equal")
+    for (Json& region : pair["regions"]) turn_round(region["normal"]);
   if (has_way && pair["containment"] != "equal") {
     turn_round(pair["penetration"]["direction"]);
     std::swap(pair["penetration"]["on_a"], pair["penetration"]["on_b"]);

@@ -216,17 +216,12 @@ class Regions {
 
   [[nodiscard]] std::size_t curve_count_of(const RegionMembers& members) {
     CrossingCurves curves;
-    const bool in_order = comes_first(pair_.a, pair_.b);
     for (const Index i : members.contacts) {
       const Contact& contact = contacts_[i];
       const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
       if (!has_area(a) || !has_area(b)) continue;
-      const EdgesThrough through = in_order ? perturbed_edges_through(a, b) : perturbed_edges_through(b, a);
-      if (!through.any()) continue;
-      if (in_order)
-        curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
-      else
-        curves.add(graph_b_, contact.triangle_b, graph_a_, contact.triangle_a, through);
+      const EdgesThrough through = perturbed_edges_through(a, b);
+      if (through.any()) curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
     }
     return curves.count();
   }
@@ -285,6 +280,11 @@ class Regions {
   std::optional<CommonDepth> depth_;
 };
 
+std::vector<ContactRegion> with_normals_turned(std::vector<ContactRegion> regions) {
+  for (ContactRegion& region : regions) region.normal = Vec3{} - region.normal;
+  return regions;
+}
+
 }  // namespace
 
 std::vector<ContactRegion> contact_regions(const Model& a, const Model& b, const PairQuery& query) {
@@ -298,6 +298,12 @@ std::vector<ContactRegion> contact_regions(const Model& a, const Model& b, const
     throw Error(
         "contact regions are those of two meshes or height fields: ask for the contacts, or the manifold, of others");
   const PosedMeshPair pair(a, b, query);
+  if (!overlap(pair.a.box(), pair.b.box())) return {};
+  // In one order, so that all that is rounded is the same whichever is named first.
+  if (!comes_first(pair.a, pair.b)) {
+    const PairQuery other{query.pose_b, query.pose_a, query.solid_b, query.solid_a, query.threads};
+    return with_normals_turned(contact_regions(b, a, other, workspace));
+  }
   const auto contacts = surface_contacts(pair.a, pair.b, workspace.scratch(), query.threads);
   if (contacts.empty()) return {};
   return Regions(a, b, query, pair, contacts, workspace.scratch()).sorted();
