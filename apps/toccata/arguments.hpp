@@ -19,6 +19,7 @@ enum class Format { table, json, csv, stream };
 /// Files to read and what their numbers mean.
 struct InputArguments {
   std::vector<std::string> files;
+  std::vector<std::string> warnings;  ///< of what folders hold beside these
   std::string folder;  ///< where relative names begin; empty: the current one
   std::string unit;    ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;

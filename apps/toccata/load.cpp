@@ -313,6 +313,7 @@ std::string why_metres(const std::map<std::string, ConvertedScene>& read) {
 
 LoadedScene joined(const InputArguments& input, const std::map<std::string, ConvertedScene>& read) {
   LoadedScene loaded;
+  loaded.warnings = input.warnings;
   const auto stated = std::find_if(read.begin(), read.end(), states_unit);
   loaded.scene.unit = stated == read.end() ? "unit" : stated->second.scene.unit;
   FreeNames names;

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "converted.hpp"
 #include "toccata/core/error.hpp"
@@ -44,23 +45,42 @@ std::string lower_case_format(const fs::path& path) {
 
 bool is_in_folders(const fs::path& path) { return is_one_of(FormatsOf::folders, lower_case_format(path)); }
 
-std::vector<std::string> files_in(const std::string& folder) {
+/// Whether an entry of a folder that is not read could be, if it were named.
+bool could_be_named(const fs::directory_entry& entry) {
+  std::error_code unknown;
+  if (entry.is_directory(unknown)) return true;
+  const std::string format = lower_case_format(entry.path());
+  return entry.is_regular_file(unknown) && (format == "json" || is_one_of(FormatsOf::commands, format));
+}
+
+std::string left_out_text(const std::string& folder, std::vector<std::string> left_out) {
+  constexpr std::size_t most_named = 5;
+  std::sort(left_out.begin(), left_out.end());
+  const std::size_t more = left_out.size() - std::min(left_out.size(), most_named);
+  left_out.resize(left_out.size() - more);
+  return fmt::format("{}: not read are {}{}: a folder stands for the mesh files directly in it; name what is to be read",
+                     folder, fmt::join(left_out, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+NamedFiles files_in(const std::string& folder) {
   std::error_code code;
-  std::vector<std::string> files;
-  std::size_t others = 0;
-  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+  NamedFiles found;
+  std::vector<std::string> left_out;
+  std::size_t entries = 0;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code), ++entries) {
     std::error_code unknown;
     if (is_in_folders(entry->path()) && entry->is_regular_file(unknown))
-      files.push_back(entry->path().string());
-    else
-      ++others;
+      found.files.push_back(entry->path().string());
+    else if (could_be_named(*entry))
+      left_out.push_back(entry->path().filename().string() + (entry->is_directory(unknown) ? "/" : ""));
   }
   if (code) throw Error(fmt::format("{}: the folder cannot be read: {}", folder, code.message()));
-  if (files.empty())
-    throw Error(fmt::format("{}: no mesh file is in this folder, of {}; what is read is {}", folder,
-                            counted(others, "entry", "entries"), readable_formats()));
-  std::sort(files.begin(), files.end());
-  return files;
+  if (found.files.empty())
+    throw Error(fmt::format("{}: no mesh file is in this folder, of {}; what is read of a folder is {}", folder,
+                            counted(entries, "entry", "entries"), fmt::join(formats_of(FormatsOf::folders), ", ")));
+  std::sort(found.files.begin(), found.files.end());
+  if (!left_out.empty()) found.warnings.push_back(left_out_text(folder, std::move(left_out)));
+  return found;
 }
 
 bool is_pattern(const std::string& word) { return word.find_first_of("*?[") != std::string::npos; }
@@ -104,12 +124,12 @@ std::vector<std::string> listed_in(const std::string& list) {
   return names;
 }
 
-std::vector<std::string> files_of_word(const std::string& word) {
+NamedFiles files_of_word(const std::string& word) {
   std::error_code unknown;
-  if (word == standard_input || is_generator_specification(word)) return {word};
+  if (word == standard_input || is_generator_specification(word)) return {{word}, {}};
   if (fs::is_directory(word, unknown)) return files_in(word);
-  if (is_pattern(word) && !fs::exists(word, unknown)) return files_matching(word);
-  return {word};
+  if (is_pattern(word) && !fs::exists(word, unknown)) return {files_matching(word), {}};
+  return {{word}, {}};
 }
 
 void require_sense_of_standard_input(const InputArguments& input, const std::vector<std::string>& files) {
@@ -136,15 +156,16 @@ std::string read_standard_input() {
   return {std::istreambuf_iterator<char>(std::cin), {}};
 }
 
-std::vector<std::string> named_files(const InputArguments& input) {
-  std::vector<std::string> files;
-  if (!input.names.empty()) files = listed_in(input.names);
+NamedFiles named_files(const InputArguments& input) {
+  NamedFiles named;
+  if (!input.names.empty()) named.files = listed_in(input.names);
   for (const std::string& word : input.files) {
-    const std::vector<std::string> of_word = files_of_word(word);
-    files.insert(files.end(), of_word.begin(), of_word.end());
+    const NamedFiles of_word = files_of_word(word);
+    named.files.insert(named.files.end(), of_word.files.begin(), of_word.files.end());
+    named.warnings.insert(named.warnings.end(), of_word.warnings.begin(), of_word.warnings.end());
   }
-  require_sense_of_standard_input(input, files);
-  return files;
+  require_sense_of_standard_input(input, named.files);
+  return named;
 }
 
 }  // namespace toccata::command

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "load.hpp"
 #include "named_files.hpp"
@@ -18,7 +19,11 @@ void add_input(CLI::App& app, InputArguments& input, const std::string& what) {
   input.wanted = what;
   app.add_option("files", input.files,
                  what + "; a folder stands for the mesh files in it, - for standard input (with --format)");
-  app.final_callback([&input] { input.files = named_files(input); });
+  app.final_callback([&input] {
+    NamedFiles named = named_files(input);
+    input.files = std::move(named.files);
+    input.warnings = std::move(named.warnings);
+  });
   add_file(app, "--names", input.names, "also the files that this one lists, one on each line; -: standard input");
   add_text(app, "--format", input.format, "what standard input is: " + readable_formats(), "a format must be named")
       ->type_name("FORMAT");

@@ -64,6 +64,15 @@ TEST_F(CheckFiles, AFolderStandsForTheMeshFilesInIt) {
   EXPECT_NE(trouble({"empty"}).find("no mesh file is in this folder"), std::string::npos);
 }
 
+TEST_F(CheckFiles, AFolderTellsWhatItLeavesOut) {
+  EXPECT_EQ(run({"check", "parts"}).err.find("not read are"), std::string::npos);
+  folder.write("parts/readme.txt", "no part");
+  folder.write("parts/scene.json", "{}");
+  folder.write("parts/pump.FBX", "");
+  std::filesystem::create_directory(folder.path() / "parts/valves");
+  EXPECT_NE(run({"check", "parts"}).err.find("parts: not read are pump.FBX, scene.json, valves/: "), std::string::npos);
+}
+
 TEST_F(CheckFiles, APatternStandsForWhatMatchesUnlessAFileIsCalledSo) {
   EXPECT_EQ(names_in({"parts/?*.obj"}), (Words{"b 2", "c[1]"}));
   EXPECT_EQ(names_in({"parts/c[1].obj", "two.obj"}), (Words{"c[1]", "two"}));
