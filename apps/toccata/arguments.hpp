@@ -20,8 +20,8 @@ enum class Format { table, json, csv, stream };
 struct InputArguments {
   std::vector<std::string> files;
   std::vector<std::string> warnings;  ///< of what folders hold beside these
-  std::string folder;  ///< where relative names begin; empty: the current one
-  std::string unit;    ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
+  std::string folder;                 ///< where relative names begin; empty: the current one
+  std::string unit;  ///< of plain mesh files: mm, cm, m, in, ft, or metres per unit; empty: as the file says
   double scale = 1;
   std::string names;         ///< a file that lists files; empty: none
   std::string format;        ///< of standard input; empty: it is not read

@@ -200,11 +200,22 @@ class RuleReader {
   Members members_of(const std::string& word, std::span<const std::string> patterns, const std::string& place) {
     Members members;
     for (const std::string& pattern : patterns) add_members(pattern, members);
+    if (!members.one && place.starts_with("--")) refuse_file(word, place);
     if (!members.one)
       warnings_.push_back(sets_.contains(word) ? fmt::format("{}: the set '{}' has no object in it", place, word)
                                                : fmt::format("{}: no object is called '{}', and no set above{}", place,
                                                              word, suggestion(word, names_)));
     return members;
+  }
+
+  /// Whoever hands a file to an option of one rule would have all of its rules passed over.
+  static void refuse_file(const std::string& word, const std::string& place) {
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(word, unknown))
+      throw Error(
+          fmt::format("{}: {} is a file, and no object is called so: give a file of rules and sets as --rules {}, and "
+                      "objects by their names",
+                      place, word, word));
   }
 
   /// A name that means itself is looked up: there may be very many.

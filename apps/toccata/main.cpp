@@ -62,6 +62,7 @@ std::string hint_for(const CLI::App& app, const CLI::ParseError& error) {
   const std::string_view what = error.what();
   const auto says = [&](std::string_view words) { return what.find(words) != std::string_view::npos; };
   if (says("excludes")) return "give one of the two";
+  if (says("--sets")) return "sets are defined in the file of --rules";
   if (says("--pose-")) return "12 numbers are needed, R row by row and then t";
   std::vector<std::string> known;
   for (const CLI::App* sub : app.get_subcommands())

@@ -58,8 +58,9 @@ std::string left_out_text(const std::string& folder, std::vector<std::string> le
   std::sort(left_out.begin(), left_out.end());
   const std::size_t more = left_out.size() - std::min(left_out.size(), most_named);
   left_out.resize(left_out.size() - more);
-  return fmt::format("{}: not read are {}{}: a folder stands for the mesh files directly in it; name what is to be read",
-                     folder, fmt::join(left_out, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  return fmt::format(
+      "{}: not read are {}{}: a folder stands for the mesh files directly in it; name what is to be read", folder,
+      fmt::join(left_out, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 NamedFiles files_in(const std::string& folder) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -116,6 +117,11 @@ struct SearchScratch {
   NearestCandidates::Memory near_elements;
   std::array<NearTriangles::Memory, points_abreast> near_triangles;
   std::shared_ptr<WholeBodies> whole_bodies;  ///< of the solids whose depth was asked
+  /// Whether somebody wants an end, if anybody can: a search whose answer holds at any moment asks it, and then gives
+  /// what it has.
+  const std::function<bool()>* stop = nullptr;
+
+  [[nodiscard]] bool is_stopped() const { return stop != nullptr && *stop && (*stop)(); }
 };
 
 }  // namespace toccata

@@ -128,6 +128,18 @@ TEST_F(CheckRules, OfNoObjectAreWarnedOfByTheirLine) {
   EXPECT_EQ(report["warnings"].size(), 1U);
 }
 
+/// Its rules would be passed over.
+TEST_F(CheckRules, InAFileThatIsGivenAsOneRuleAreRefused) {
+  folder.write("more.txt", "ignore pipe*, beam*\n");
+  const auto result = check({"--ignore", "more.txt"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find(
+                "more.txt is a file, and no object is called so: give a file of rules and sets as --rules more.txt"),
+            std::string::npos)
+      << result.err;
+  EXPECT_NE(check({"--sets", "more.txt"}).err.find("sets are defined in the file of --rules"), std::string::npos);
+}
+
 TEST_F(CheckRules, OfNoPairLeaveNothingToBeChecked) {
   EXPECT_NE(error_of({"--between", "pips,beam*"}).find("nothing would be checked: --between pips,beam*: "),
             std::string::npos)

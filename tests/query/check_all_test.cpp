@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "query/scenes/check_wanted.hpp"
 #include "support/mesh_pairs.hpp"
 #include "support/mesh_soups.hpp"
 #include "toccata/core/error.hpp"
+#include "toccata/generate/meshes.hpp"
 
 namespace toccata {
 namespace {
@@ -128,6 +130,34 @@ TEST(CheckAll, ProgressCountsEveryCandidatePair) {
                                        }});
   EXPECT_EQ(last, answer.candidate_pairs);
   EXPECT_EQ(total, answer.candidate_pairs);
+}
+
+/// Whoever wants an end gets the brackets so far, however early.
+TEST(CheckAll, DepthsEndWhereTheCheckIsStopped) {
+  const Model rock(noise_sphere_mesh({.subdivisions = 3}));
+  const std::vector<SceneInstance> models = {posed(rock, 0), posed(rock, 0.7)};
+  CheckOptions options;
+  options.penetration = true;
+  options.depth.precision = 1e-6;
+  options.threads = 1;
+  const PairAnswer whole = check_all(models, options).pairs.at(0);
+  EXPECT_EQ(whole.depth_end, DepthEnd::exhausted);
+  for (const int calls : {1, 2, 10, 100}) {
+    int left = calls;  // the first is before the pair is begun
+    const CheckWatch watch{.stop = [&] { return left-- <= 0; }};
+    const WantedAnswer stopped = check_wanted(models, options, {}, watch);
+    ASSERT_EQ(stopped.answer.pairs.size(), 1U);
+    const PairAnswer& pair = stopped.answer.pairs[0];
+    EXPECT_EQ(pair.depth_end, DepthEnd::out_of_time);
+    EXPECT_LE(pair.penetration->lower, whole.penetration->lower);
+    EXPECT_GE(pair.penetration->upper, whole.penetration->upper);
+    EXPECT_EQ(pair.relation, whole.relation);
+    ASSERT_EQ(pair.regions.size(), whole.regions.size());
+    for (std::size_t i = 0; i < pair.regions.size(); ++i) {
+      EXPECT_LE(pair.regions[i].depth->lower, whole.regions[i].depth->upper);
+      EXPECT_GE(pair.regions[i].depth->upper, whole.regions[i].depth->lower);
+    }
+  }
 }
 
 TEST(CheckAll, ProgressCanCancel) {

@@ -40,8 +40,8 @@ BoundedVector common_point(const PosedPolytope& a, const PosedPolytope& b, const
 }
 
 // Weights w that are off by e place the point off by the sum of the e (a − point) over the sum of the w, and no vertex
-// is farther from the point than twice the greatest coordinate, in each coordinate. Quotients and sums round by ten units
-// of the greatest coordinate.
+// is farther from the point than twice the greatest coordinate, in each coordinate. Quotients and sums round by ten
+// units of the greatest coordinate.
 std::optional<Vec3> plain_common_point(const PosedPolytope& a, const PosedPolytope& b, const VertexPairs& simplex) {
   constexpr double most_off = 0x1p-43;
   if (simplex.size != 4) return {};

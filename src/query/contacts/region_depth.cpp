@@ -136,7 +136,7 @@ class CommonDepthSearch {
     seen_ = 0;
     cost_ = 0;
     wait_for(looked_into(root()));
-    while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost) {
+    while (!waiting_.empty() && waiting_.top().bound > narrow_enough() && cost_ < most_cost && !scratch_.is_stopped()) {
       if (limit_ && best_.depth > *limit_) break;
       if (until == Until::some_point && best_.depth > 0) return;
       if (until == Until::inner_point && inner_) return;

@@ -7,6 +7,7 @@
 
 #include "math/vec3_measures.hpp"
 #include "query/penetration/separating_seeds.hpp"
+#include "query/search_scratch.hpp"
 #include "toccata/query/penetration.hpp"
 
 // What the searches for the depth of solids share.
@@ -29,15 +30,16 @@ struct SeparatingQuestions {
   std::function<std::vector<SurfaceIntersection>(const Vec3& move)> intersections;
 };
 
-/// When a search ends: as soon as the bracket is narrow, or its time is over.
+/// When a search ends: as soon as the bracket is narrow, its time is over, or somebody wants an end (SearchScratch).
 class DepthLimit {
  public:
-  explicit DepthLimit(const DepthOptions& options)
-      : ratio_(1 + options.precision), seconds_(options.time_limit), start_(Clock::now()) {}
+  explicit DepthLimit(const DepthOptions& options, const SearchScratch* scratch = nullptr)
+      : ratio_(1 + options.precision), seconds_(options.time_limit), scratch_(scratch), start_(Clock::now()) {}
 
   [[nodiscard]] double ratio() const { return ratio_; }
   [[nodiscard]] bool is_narrow(const Penetration& bracket) const { return bracket.upper <= ratio_ * bracket.lower; }
   [[nodiscard]] bool is_over() const {
+    if (scratch_ != nullptr && scratch_->is_stopped()) return true;
     return seconds_ < std::numeric_limits<double>::infinity() &&
            std::chrono::duration<double>(Clock::now() - start_).count() >= seconds_;
   }
@@ -51,6 +53,7 @@ class DepthLimit {
 
   double ratio_;
   double seconds_;
+  const SearchScratch* scratch_;
   Clock::time_point start_;
 };
 

@@ -219,7 +219,7 @@ class BodyDepth {
         query_(query),
         models_(models),
         workspace_(workspace),
-        limit_(options),
+        limit_(options, &workspace.scratch()),
         is_local_first_(options.precision > DepthOptions{}.precision),
         questions_{[this](const Vec3& move) { return distance_after(move); },
                    [this](const Vec3& move) { return some_intersections(a_, b_, moved(query_, move), workspace_); }} {}

@@ -147,7 +147,10 @@ class Check {
     std::vector<std::optional<PairAnswer>> answers(pairs.size());
     parallel_for(pairs.size(), options_.threads, [&](std::size_t i) {
       if (reporter.cancelled() || is_stopped()) return;
-      answers[i] = workspaces_.with([&](Workspace& workspace) { return answer_of(pairs[i], workspace); });
+      answers[i] = workspaces_.with([&](Workspace& workspace) {
+        workspace.scratch().stop = &watch_.stop;
+        return answer_of(pairs[i], workspace);
+      });
       finished_.fetch_add(1, std::memory_order_relaxed);
       if (answers[i]) tell(*answers[i]);
       if (!watch_.keeps_found) answers[i].reset();

@@ -37,7 +37,8 @@ struct WantedAnswer {
 
 /// Who looks on while the pairs are looked at.
 struct CheckWatch {
-  /// Asked before each pair, from any thread: once it is true no pair is begun any more.
+  /// Asked before each pair and while depths are looked for, from any thread: once it is true no pair is begun any
+  /// more, and the brackets of depths are as wide as they are.
   std::function<bool()> stop{};
   /// Told each pair that is found, in the order in which they are; from any thread, never from two at once.
   std::function<void(const PairAnswer&)> found{};
