@@ -8,6 +8,7 @@
 #include "narrow/quadrics/depth/lowest_place.hpp"
 #include "narrow/quadrics/depth/quadric_expansion.hpp"
 #include "oracle/quadric_contact.hpp"
+#include "support/mesh_soups.hpp"
 #include "toccata/math/pose.hpp"
 
 namespace toccata::test {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "support/page.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/math/pose.hpp"
 
