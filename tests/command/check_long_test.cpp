@@ -38,16 +38,23 @@ class CheckLong : public testing::Test {
  protected:
   void SetUp() override {
     // Forty knots on a heap: 780 pairs, most of which meet.
-    Json scene = {{"format", "toccata-scene"}, {"version", 1}};
-    for (int i = 0; i < 40; ++i)
-      scene["objects"].push_back({{"name", "knot " + std::to_string(i)},
-                                  {"generate", "torus-knot"},
-                                  {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.01 * i, 0.007 * i, 0.003 * i}}});
-    folder.write("heap.json", scene.dump());
+    folder.write("heap.json", heap(0).dump());
     folder.write("two.json",
                  R"({"format": "toccata-scene", "version": 1, "objects": [{"name": "a", "generate": "box"},
                      {"name": "b", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 0.5,0,0]},
                      {"name": "c", "generate": "box", "pose": [1,0,0, 0,1,0, 0,0,1, 2.5,0,0]}]})");
+  }
+
+  /// Boxes that meet each other, and after them the knots: the pairs of the former are done at once on any machine.
+  static Json heap(int boxes) {
+    Json scene = {{"format", "toccata-scene"}, {"version", 1}};
+    for (int i = 0; i < boxes + 40; ++i) {
+      const char* shape = i < boxes ? "box" : "torus-knot";
+      scene["objects"].push_back({{"name", shape + std::to_string(i)},
+                                  {"generate", shape},
+                                  {"pose", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.01 * i, 0.007 * i, 0.003 * i}}});
+    }
+    return scene;
   }
 
   test::CommandResult run(const Words& words) { return run_command(words, folder.path()); }
@@ -73,9 +80,10 @@ TEST_F(CheckLong, ATerminalShowsTheRateAndTheTimeLeft) {
 }
 
 TEST_F(CheckLong, ElsewhereALineIsToldNowAndThen) {
+  folder.write("boxes-and-heap.json", heap(8).dump());
   const auto told = [&](const char* seconds) {
     setenv("TOCCATA_PROGRESS_SECONDS", seconds, 1);
-    auto result = run({"check", "heap.json", "--penetration", "--stop-after", "4"});
+    auto result = run({"check", "boxes-and-heap.json", "--penetration", "--stop-after", "4"});
     unsetenv("TOCCATA_PROGRESS_SECONDS");
     return result;
   };
