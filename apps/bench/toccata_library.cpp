@@ -62,7 +62,7 @@ class ToccataMeshes : public MeshLibrary {
     const auto found = contacts(*a_, *b_, query, workspace);
     Answer answer;
     answer.pairs.reserve(found.size());
-    for (const Contact& contact : found) answer.pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+    for (const Contact& contact : found) answer.pairs.emplace_back(contact.element_a, contact.element_b);
     answer.overlap = !answer.pairs.empty();
     return answer;
   }

@@ -27,7 +27,7 @@ class ToccataSelf : public SelfLibrary {
     const Model model = builds_ ? Model(mesh_) : *model_;
     TrianglePairs pairs;
     for (const Contact& contact : self_contacts(model, {}, workspace_))
-      pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+      pairs.emplace_back(contact.element_a, contact.element_b);
     return pairs;
   }
 

@@ -30,9 +30,10 @@ void add_pair_questions(CLI::App& check, CheckCommand& arguments) {
   add_text(check, "--time-per-depth", arguments.time_per_depth_word,
            "seconds for the depth of each pair: then the bracket so far is told (none)", "seconds must be given")
       ->type_name("SECONDS");
-  check.add_flag("--volume", arguments.volume,
-                 "how much volume solids have in common, between bounds; whether one passes through the other; and a "
-                 "point of both");
+  check.add_flag(
+      "--volume", arguments.volume,
+      "how much volume solids have in common, between bounds; the kind of clash (protrude, pierce, contains, "
+      "equal), and which pierces; and a point of both");
 }
 
 void add_rules_of_clashes(CLI::App& check, CheckCommand& arguments) {
@@ -50,7 +51,9 @@ void add_order(CLI::App& check, CheckCommand& arguments) {
       .add_option(
           "--fail-on", arguments.fail_on_word,
           "exit code 1 for any pair that is told, only for hard ones, which do more than touch or come near, or "
-          "only for what is new or graver than in the baseline")
+          "only for what is new or graver than in the baseline (grown, too, where --penetration or --volume is asked "
+          "both "
+          "times)")
       ->check(CLI::IsMember({"any", "hard", "new"}))
       ->capture_default_str();
   check

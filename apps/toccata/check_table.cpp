@@ -64,9 +64,25 @@ std::string volume_line(const ReportedPair& pair) {
                      pair.common_point ? ", around " + point_text(*pair.common_point) : "");
 }
 
-/// How it stands against the baseline, with the relation of then where that was another.
+/// What it was in the measure by which it has grown since.
+std::string before_growth(const ReportedPair& pair) {
+  switch (pair.growth) {
+    case Growth::penetration:
+      return depth_text(pair.was->penetration->lower, pair.was->penetration->upper);
+    case Growth::local_depth:
+      return depth_text(pair.was->local_depth->lower, pair.was->local_depth->upper) + " in one place";
+    case Growth::volume:
+      return "volume " + volume_text(*pair.was->volume);
+    case Growth::none:
+      break;
+  }
+  return {};
+}
+
+/// How it stands against the baseline, with the relation of then where that was another, or how large it was.
 std::string since_and_before(const ReportedPair& pair, const std::string& verb) {
   const std::string since = since_text(pair);
+  if (pair.growth != Growth::none) return since + " (before: " + before_growth(pair) + ")";
   const std::string before = pair.was ? former_verb(*pair.was) : verb;
   return before == verb ? since : since + " (before: " + before + ")";
 }
@@ -98,6 +114,22 @@ std::string reason_text(GoneReason reason) {
   return {};
 }
 
+/// Overlaps that have moved, of which the two reports have no measure in common.
+bool may_have_grown(const ReportedPair& pair) {
+  if (since_baseline(pair) != Since::moved || pair.relation.kind != RelationKind::overlapping) return false;
+  return !(pair.penetration && pair.was->penetration) && !(pair.local_depth && pair.was->local_depth) &&
+         !(pair.volume && pair.was->volume);
+}
+
+/// Says of how many it cannot be told whether they are graver.
+std::string unknown_growth_line(const CheckReport& report) {
+  const auto unknown = std::count_if(report.pairs.begin(), report.pairs.end(), may_have_grown);
+  if (unknown == 0) return {};
+  return fmt::format(
+      "Of {} that moved it is not known whether the overlap has grown: ask for --penetration or --volume both times.\n",
+      grouped(static_cast<std::size_t>(unknown)));
+}
+
 /// What is gone of the baseline, and how many pairs are new, graver, moved and known.
 std::string baseline_lines(const CheckReport& report) {
   std::vector<std::vector<std::string>> rows;
@@ -110,9 +142,11 @@ std::string baseline_lines(const CheckReport& report) {
           return since_baseline(pair) == since;
         })));
   };
-  return columns(rows, 2) + fmt::format("Since {}: {} new, {} graver, {} moved, {} known, {} gone.\n",
-                                        printable(*report.baseline), count(Since::added), count(Since::graver),
-                                        count(Since::moved), count(Since::known), grouped(report.gone.size()));
+  return columns(rows, 2) +
+         fmt::format("Since {}: {} new, {} graver, {} moved, {} known, {} gone.\n", printable(*report.baseline),
+                     count(Since::added), count(Since::graver), count(Since::moved), count(Since::known),
+                     grouped(report.gone.size())) +
+         unknown_growth_line(report);
 }
 
 /// The first few; JSON lists all, in what was asked.
@@ -170,10 +204,10 @@ std::string region_lines(const std::vector<ContactRegion>& regions) {
   return text;
 }
 
-std::string point_line(const std::string& what, const Manifold& manifold, int i) {
+std::string point_line(const std::string& what, const Manifold& manifold, int i, const char* of_what = "") {
   const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
-  return fmt::format("      {} at {}, depth {:.6g}, normal {}\n", what, point_text(point.position), point.depth,
-                     point_text(manifold.normal));
+  return fmt::format("      {} at {}, depth{} {:.6g}, normal {}\n", what, point_text(point.position), of_what,
+                     point.depth, point_text(manifold.normal));
 }
 
 /// The points of the first few elements that meet; JSON lists all.
@@ -183,7 +217,7 @@ std::string element_lines(const std::vector<ContactManifold>& manifolds) {
   for (std::size_t k = 0; k < shown; ++k) {
     const ContactManifold& one = manifolds[k];
     const std::string what = fmt::format("faces {} and {} in contact", one.contact.face_a, one.contact.face_b);
-    for (int i = 0; i < one.manifold.count; ++i) text += point_line(what, one.manifold, i);
+    for (int i = 0; i < one.manifold.count; ++i) text += point_line(what, one.manifold, i, " of these two alone");
   }
   if (shown < manifolds.size())
     text += fmt::format("      … and {} in contact; --json lists all\n",

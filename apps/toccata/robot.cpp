@@ -153,7 +153,7 @@ std::vector<std::string> row_of_edge(const RobotEdge& edge, std::size_t number, 
   const std::string name = fmt::format("from {} to {}", number, number + 1);
   if (edge.is_free) return {name, "free", ""};
   return {name, edge.status == Status::exact ? "meets" : "may meet",
-          fmt::format("{}, at {:.6f} of the way", text_of_pair(edge.pair, scene), edge.upper)};
+          fmt::format("{}, at fraction {:.6f} of the edge", text_of_pair(edge.pair, scene), edge.upper)};
 }
 
 std::string text_of_answer(const RobotAnswer& answer, const RobotScene& scene) {

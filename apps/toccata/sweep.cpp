@@ -110,7 +110,7 @@ std::vector<std::string> row_of(const CheckInput& input, const std::vector<std::
   if (!hit.hit) return {names[pair.a], "passes", names[pair.b], "", ""};
   const bool have_faces = input.models[pair.a].model.has_mesh() && input.models[pair.b].model.has_mesh();
   return {names[pair.a], "meets", names[pair.b],
-          fmt::format("at {:.12g} of the way, {}", hit.upper, point_text(hit.point)),
+          fmt::format("at fraction {:.12g} of the motion, {}", hit.upper, point_text(hit.point)),
           have_faces ? fmt::format("face {} on face {}", hit.face_a, hit.face_b) : ""};
 }
 

@@ -29,8 +29,8 @@ std::vector<ContactWithPoints> with_points(const std::vector<Contact>& contacts,
   for (const Contact& contact : contacts) {
     told.push_back({contact, {}});
     if (contact.intersection.kind == IntersectionKind::none) continue;
-    const auto points = intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.triangle_a),
-                                            world_triangle(b, query.pose_b, contact.triangle_b));
+    const auto points = intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.element_a),
+                                            world_triangle(b, query.pose_b, contact.element_b));
     std::copy_n(points.points.begin(), points.count, told.back().points.begin());
   }
   return told;
@@ -53,7 +53,7 @@ void bind_contacts(nb::module_& module) {
   };
   bind("contacts", R"(All pairs of triangles, or of other elements, that have a point in common; exact and in order.
 
-A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
+A structured array: element_a, element_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
 shape inside a solid mesh that does not touch its surface has none: ask relation. Two triangles by T. Möller, "A fast
 triangle-triangle intersection test", 1997, in exact signs. Shapes are where their poses put them in the world, in any unit.
 Raises Error like overlap.)",
@@ -119,7 +119,7 @@ void bind_self_contacts(nb::module_& module) {
       },
       nb::arg("mesh"), nb::arg("pose") = nb::none(),
       "Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A "
-      "structured array as of contacts, with triangle_a the lesser. Exact, in any unit. Raises Error for what is no "
+      "structured array as of contacts, with element_a the lesser. Exact, in any unit. Raises Error for what is no "
       "mesh, "
       "and for a pose that is not finite.");
   module.def(

@@ -166,17 +166,17 @@ void bind_first_contact(nb::module_& module) {
 void bind_distances_within(nb::module_& module) {
   module.def(
       "distance_within_each",
-      [](const ShapesLike& a, const ShapesLike& b, double limit, const PosesLike& poses_a, const PosesLike& poses_b,
-         Solid solid_a, Solid solid_b, int threads) {
+      [](const ShapesLike& a, const ShapesLike& b, double max_distance, const PosesLike& poses_a,
+         const PosesLike& poses_b, Solid solid_a, Solid solid_b, int threads) {
         const PairsAsked pairs(a, b, poses_a, poses_b, solid_a, solid_b);
         return structured(
             rows_of(asked_of_pairs(pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
-              return distance_within_each(batch, limit, options);
+              return distance_within_each(batch, max_distance, options);
             })));
       },
-      nb::arg("a"), nb::arg("b"), nb::arg("limit"), nb::arg("poses_a") = nb::none(), nb::arg("poses_b") = nb::none(),
-      nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
-      nb::arg("threads") = all_threads,
+      nb::arg("a"), nb::arg("b"), nb::arg("max_distance"), nb::arg("poses_a") = nb::none(),
+      nb::arg("poses_b") = nb::none(), nb::kw_only(), nb::arg("solid_a") = Solid::automatic,
+      nb::arg("solid_b") = Solid::automatic, nb::arg("threads") = all_threads,
       "distance_within of many, in shapes as overlap_each takes them, on all cores: a structured array with the "
       "members "
       "of Distance, and found; in the unit of the coordinates. Raises Error like distance_within, naming the query.");

@@ -136,8 +136,8 @@ struct Described<Contact> {
   static constexpr const char* name = "Contact";
   static constexpr const char* doc = "Two elements, one of each shape, that have a point in common.";
   static constexpr std::tuple fields{
-      field<Contact, &Contact::triangle_a>("triangle_a", "The element of A, of a mesh the triangle."),
-      field<Contact, &Contact::triangle_b>("triangle_b", "The element of B."),
+      field<Contact, &Contact::element_a>("element_a", "The element of A, of a mesh the triangle."),
+      field<Contact, &Contact::element_b>("element_b", "The element of B."),
       field<Contact, &Contact::face_a>("face_a", "The face of A, as its file counts them from 0."),
       field<Contact, &Contact::face_b>("face_b", "The face of B."),
       field<Contact, &Contact::intersection, &Intersection::kind>("kind", "Point, segment or polygon."),

@@ -217,14 +217,14 @@ class ObjectQuestions {
         "unit. Raises Error like overlap.");
     bound_.def(
         "within",
-        [](const Bound& bound, const AnyShape& shape, double distance, const PoseLike& pose, Solid solid,
+        [](const Bound& bound, const AnyShape& shape, double max_distance, const PoseLike& pose, Solid solid,
            const nb::object& only) {
           const SceneInstance asked = instance(shape, pose, solid);
           return Told::ids(of_one(bound, only, [&](const Queries& queries, const auto& filter) {
-            return queries.within(asked, distance, filter);
+            return queries.within(asked, max_distance, filter);
           }));
         },
-        nb::arg("shape"), nb::arg("distance"), nb::arg("pose") = nb::none(), nb::kw_only(),
+        nb::arg("shape"), nb::arg("max_distance"), nb::arg("pose") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(),
         "Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. "
         "Decided "
@@ -246,15 +246,15 @@ class ObjectQuestions {
         "query.");
     bound_.def(
         "within_each",
-        [](const Bound& bound, const ShapesLike& shapes, double distance, const PosesLike& poses, Solid solid,
+        [](const Bound& bound, const ShapesLike& shapes, double max_distance, const PosesLike& poses, Solid solid,
            const nb::object& only, int threads) {
           const std::vector<SceneInstance> asked = instances_of(shapes, poses, solid);
           return Told::rows(of_many(bound, only, threads,
                                     [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
-                                      return queries.within_each(asked, distance, filter, options);
+                                      return queries.within_each(asked, max_distance, filter, options);
                                     }));
         },
-        nb::arg("shapes"), nb::arg("distance"), nb::arg("poses") = nb::none(), nb::kw_only(),
+        nb::arg("shapes"), nb::arg("max_distance"), nb::arg("poses") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
         "within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array "
         "as "

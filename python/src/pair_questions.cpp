@@ -173,18 +173,18 @@ shapes by E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for com
 in three-dimensional space", 1988; that the interval holds is proved. Raises Error like overlap.)",
       [](const Model& a, const Model& b, const PairQuery& query) { return distance(a, b, query, kept_workspace()); });
   bind_question_of_length(
-      module, "within_distance", "tolerance",
-      "Is the exact distance at most the tolerance, in the unit of the coordinates? Decided exactly, and "
-      "for less than the distance costs. Raises Error like overlap, and for a negative tolerance.",
-      [](const Model& a, const Model& b, double tolerance, const PairQuery& query) {
-        return within_distance(a, b, tolerance, query, kept_workspace());
+      module, "within_distance", "max_distance",
+      "Is the exact distance at most the greatest one, in the unit of the coordinates? Decided exactly, and "
+      "for less than the distance costs. Raises Error like overlap, and for a negative one.",
+      [](const Model& a, const Model& b, double max_distance, const PairQuery& query) {
+        return within_distance(a, b, max_distance, query, kept_workspace());
       });
   bind_question_of_length(
-      module, "distance_within", "limit",
-      "What distance answers where it is at most the limit, in the unit of the coordinates, else None, which is found "
-      "out without it. Raises Error like overlap, and for a negative limit.",
-      [](const Model& a, const Model& b, double limit, const PairQuery& query) {
-        return distance_within(a, b, limit, query, kept_workspace());
+      module, "distance_within", "max_distance",
+      "What distance answers where it is at most the greatest one, in the unit of the coordinates, else None, which is "
+      "found out without it. Raises Error like overlap, and for a negative one.",
+      [](const Model& a, const Model& b, double max_distance, const PairQuery& query) {
+        return distance_within(a, b, max_distance, query, kept_workspace());
       });
   bind_question(module, "penetration", R"(How deep two solids overlap, as an interval, and a short way to part them.
 
@@ -219,12 +219,12 @@ the number of threads. Raises Error naming the least query that is asked wrongly
       "of Distance, in the unit of the coordinates. Raises Error like overlap_each.",
       [](const Batch<PairQuery>& batch, const BatchOptions& options) { return distance_each(batch, options); });
   bind_questions_of_length(
-      module, "within_distance_each", "tolerance",
+      module, "within_distance_each", "max_distance",
       "within_distance for many poses, in shapes as overlap_each takes them, on all cores: a bool for each. "
-      "The tolerance is in the unit of the coordinates. Raises Error like overlap_each, and for "
-      "a negative tolerance.",
-      [](const Batch<PairQuery>& batch, double tolerance, const BatchOptions& options) {
-        return within_distance_each(batch, tolerance, options);
+      "The greatest distance is in the unit of the coordinates. Raises Error like overlap_each, and for "
+      "a negative one.",
+      [](const Batch<PairQuery>& batch, double max_distance, const BatchOptions& options) {
+        return within_distance_each(batch, max_distance, options);
       });
   bind_questions(
       module, "penetration_each",

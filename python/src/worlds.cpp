@@ -605,11 +605,12 @@ void bind_pair_questions_of_world(BoundWorld& bound) {
           "pairs; None is proved. Margins do not matter. Needs no step.")
       .def(
           "any_within",
-          [](const HeldWorld& held, double distance) {
-            return pair_told(without_lock(
-                [&] { return held.ask([&](const WorldQueries& queries) { return queries.any_within(distance); }); }));
+          [](const HeldWorld& held, double max_distance) {
+            return pair_told(without_lock([&] {
+              return held.ask([&](const WorldQueries& queries) { return queries.any_within(max_distance); });
+            }));
           },
-          nb::arg("distance"), nb::sig("def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None"),
+          nb::arg("max_distance"), nb::sig("def any_within(self, max_distance: float) -> tuple[BodyId, BodyId] | None"),
           "any_contact of pairs that are at most so far apart, in the unit of the coordinates, decided exactly. Raises "
           "Error "
           "for what is no length.")

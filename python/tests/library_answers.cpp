@@ -61,7 +61,7 @@ void row(const char* question, std::size_t query, const Numbers&... numbers) {
 
 void tell_contacts(const char* question, std::size_t query, std::span<const Contact> contacts) {
   for (const Contact& c : contacts)
-    row(question, query, c.triangle_a, c.triangle_b, c.face_a, c.face_b, c.intersection.kind, c.intersection.coplanar,
+    row(question, query, c.element_a, c.element_b, c.face_a, c.face_b, c.intersection.kind, c.intersection.coplanar,
         c.intersection.crossing, c.intersection.count);
 }
 
@@ -76,8 +76,8 @@ void ask_about_pairs(const Model& a, const Model& b, const std::vector<Pose>& po
     const std::vector<Contact> found = contacts(a, b, query);
     tell_contacts("contacts", i, found);
     for (const Contact& contact : found) {
-      const auto points = intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.triangle_a),
-                                              world_triangle(b, query.pose_b, contact.triangle_b));
+      const auto points = intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.element_a),
+                                              world_triangle(b, query.pose_b, contact.element_b));
       row("points", i, points.points[0], points.points[1], points.points[2], points.points[3], points.points[4],
           points.points[5]);
     }

@@ -179,7 +179,7 @@ def numbers_of(row, names: str) -> list[float]:
     return [float(number) for name in names.split() for number in numpy.ravel(get(name))]
 
 
-CONTACT = "triangle_a triangle_b face_a face_b kind coplanar crossing point_count"
+CONTACT = "element_a element_b face_a face_b kind coplanar crossing point_count"
 HIT = "hit lower upper point normal status element_a element_b face_a face_b"
 
 

@@ -1174,7 +1174,7 @@ def contacts(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None,
     """
     All pairs of triangles, or of other elements, that have a point in common; exact and in order.
 
-    A structured array: triangle_a, triangle_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
+    A structured array: element_a, element_b, face_a, face_b, kind (IntersectionKind), coplanar, crossing, point_count. A
     shape inside a solid mesh that does not touch its surface has none: ask relation. Two triangles by T. Möller, "A fast
     triangle-triangle intersection test", 1997, in exact signs. Shapes are where their poses put them in the world, in any unit.
     Raises Error like overlap.
@@ -1212,7 +1212,7 @@ def contact_regions_each(a: toccata._typing.ShapesLike, b: toccata._typing.Shape
 
 def self_contacts(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> toccata._typing.Answers:
     """
-    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with triangle_a the lesser. Exact, in any unit. Raises Error for what is no mesh, and for a pose that is not finite.
+    Where a mesh intersects itself: pairs of its triangles that have more in common than the corners they share. A structured array as of contacts, with element_a the lesser. Exact, in any unit. Raises Error for what is no mesh, and for a pose that is not finite.
     """
 
 def self_overlap(mesh: Shape, pose: toccata._typing.PoseLike | None = None) -> bool:

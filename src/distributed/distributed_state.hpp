@@ -141,7 +141,7 @@ class DistributedWorld::State {
 
   std::vector<std::optional<GlobalAnswer<RayHit>>> cast_ray_each(std::span<const Ray> rays);
   std::vector<std::optional<GlobalAnswer<ShapeHit>>> cast_shape_each(std::span<const MovingShape> moving);
-  std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes, double distance);
+  std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes, double max_distance);
   std::vector<std::optional<GlobalAnswer<Distance>>> nearest_each(std::span<const SceneInstance> shapes,
                                                                   double max_distance);
   std::vector<std::vector<GlobalAnswer<Distance>>> nearest_bodies_each(std::span<const SceneInstance> shapes,

@@ -113,8 +113,8 @@ std::vector<std::vector<GlobalId>> DistributedWorld::overlapping_each(std::span<
   return state_->within_each(shapes, 0);
 }
 std::vector<std::vector<GlobalId>> DistributedWorld::within_each(std::span<const SceneInstance> shapes,
-                                                                 double distance) {
-  return state_->within_each(shapes, distance);
+                                                                 double max_distance) {
+  return state_->within_each(shapes, max_distance);
 }
 std::vector<std::optional<GlobalAnswer<Distance>>> DistributedWorld::nearest_each(std::span<const SceneInstance> shapes,
                                                                                   double max_distance) {

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "core/require_length.hpp"
 #include "distributed/distributed_state.hpp"
 #include "math/constants.hpp"
+#include "query/keep_least.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/distance.hpp"
@@ -74,13 +76,11 @@ NearestBodies narrowed(NearestBodies question, const NearBodies& nearest) {
 template <class Found>
 using FirstOf = std::optional<GlobalAnswer<Found>>;
 
-/// The first of two answers, by (upper, id), in an interval that has the least of all.
+/// The first of two answers, by (upper, id).
 template <class Found>
 void keep_first_of(FirstOf<Found>& first, const FirstOf<Found>& other) {
-  if (!other) return;
-  const double lower = first ? std::min(first->lower, other->lower) : other->lower;
-  if (!first || std::tie(other->upper, other->body) < std::tie(first->upper, first->body)) first = other;
-  first->lower = lower;
+  const auto rank = [](const GlobalAnswer<Found>& answer) { return std::tie(answer.upper, answer.body); };
+  if (other) keep_least(first, *other, rank);
 }
 
 void merge_ids(std::vector<GlobalId>& ids, const std::vector<GlobalId>& others) {
@@ -265,17 +265,17 @@ std::vector<std::optional<GlobalAnswer<ShapeHit>>> DistributedWorld::State::cast
 }
 
 std::vector<std::vector<GlobalId>> DistributedWorld::State::within_each(std::span<const SceneInstance> shapes,
-                                                                        double distance) {
+                                                                        double max_distance) {
   BodyFilter of_here;
   of_here.accepts = [&](BodyId local) { return copy(local).lives_here; };
   return ask_ranks<std::vector<GlobalId>>(
       shapes,
       [&](const SceneInstance& shape, const Aabb& box, const std::vector<GlobalId>&) {
-        return least_gap(box_of(shape), box) <= distance;
+        return least_gap(box_of(shape), box) <= max_distance;
       },
       [&](const SceneInstance& shape) {
         std::vector<GlobalId> ids;
-        for (const BodyId local : queries_.within(shape, distance, of_here)) ids.push_back(copy(local).id);
+        for (const BodyId local : queries_.within(shape, max_distance, of_here)) ids.push_back(copy(local).id);
         std::sort(ids.begin(), ids.end());
         return ids;
       },
@@ -335,8 +335,7 @@ std::vector<std::vector<GlobalAnswer<Distance>>> DistributedWorld::State::neares
                least_gap(box_of(one.shape), box) <= farthest_of_interest(known, one.count, one.max_distance);
       },
       [&](const NearestBodies& one) {
-        if (!(one.max_distance >= 0))
-          throw Error(fmt::format("the greatest distance is {}; it has to be a length of 0 or more", one.max_distance));
+        require_length(one.max_distance, "the greatest distance");
         return nearest_here(one.shape, one.count, one.max_distance);
       },
       [&](NearBodies& nearest, const NearBodies& others) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/require_length.hpp"
 #include "distributed/distributed_state.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/core/random.hpp"
@@ -134,8 +135,8 @@ void DistributedWorld::State::check_rules(const WantedChanges& changes) {
   for (const GlobalPairRule& rule : changes.rules) {
     if (rule.a == rule.b) throw Error(fmt::format("a rule is given for {} with itself", name_of_body(rule.a)));
     if (const double margin = rule.margin.value_or(0); !(margin >= 0))
-      throw Error(fmt::format("the rule for {} and {}: its margin is {}; it has to be a length of 0 or more",
-                              name_of_body(rule.a), name_of_body(rule.b), margin));
+      require_length(margin,
+                     fmt::format("the rule for {} and {}: its margin", name_of_body(rule.a), name_of_body(rule.b)));
   }
 }
 

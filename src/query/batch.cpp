@@ -113,17 +113,17 @@ std::vector<Distance> distance_each(const Batch<PairQuery>& batch, const BatchOp
   return ask_pairs(batch, options, [](auto&... question) { return distance(question...); });
 }
 
-std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double tolerance,
+std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double max_distance,
                                                const BatchOptions& options) {
   return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-    return std::uint8_t{within_distance(a, b, tolerance, query, workspace)};
+    return std::uint8_t{within_distance(a, b, max_distance, query, workspace)};
   });
 }
 
-std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch, double limit,
+std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch, double max_distance,
                                                           const BatchOptions& options) {
   return ask_pairs(batch, options, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& workspace) {
-    return distance_within(a, b, limit, query, workspace);
+    return distance_within(a, b, max_distance, query, workspace);
   });
 }
 

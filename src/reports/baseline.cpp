@@ -36,6 +36,15 @@ FormerPair flipped(FormerPair pair) {
   return pair;
 }
 
+/// An interval, where one is told that has both ends.
+template <class Interval>
+std::optional<Interval> interval_at(const io::JsonValue& pair, const char* name) {
+  if (!pair.has(name) || !pair.at(name).is_object()) return std::nullopt;
+  const io::JsonValue ends = pair.at(name);
+  if (!ends.at("lower").is_number() || !ends.at("upper").is_number()) return std::nullopt;
+  return Interval{ends.at("lower").number(), ends.at("upper").number()};
+}
+
 /// As a report tells it, and a question.
 FormerPair former_pair_of(const io::JsonValue& pair) {
   return {pair.at("a").text(),
@@ -43,7 +52,22 @@ FormerPair former_pair_of(const io::JsonValue& pair) {
           io::one_named<RelationKind>(pair.at("relation"), relation_kinds),
           io::one_named<Containment>(pair.at("containment"), containments),
           pair.text_or("tolerance", "") == name_of(ToleranceVerdict::within),
-          pair.flag_or("demanded", true)};
+          pair.flag_or("demanded", true),
+          interval_at<ContactRegion::Depth>(pair, "penetration"),
+          interval_at<ContactRegion::Depth>(pair, "local_depth"),
+          interval_at<OverlapVolume>(pair, "volume")};
+}
+
+template <class Now, class Then>
+bool is_larger(const std::optional<Now>& now, const std::optional<Then>& then, double tolerance) {
+  constexpr double hundredth = 0.01;  // more than rounding a file's numbers, and what a search leaves open, may change
+  return now && then && now->lower > then->upper + std::max(tolerance, hundredth * then->upper);
+}
+
+Growth growth_of(const ReportedPair& pair, const FormerPair& was, double tolerance) {
+  if (is_larger(pair.penetration, was.penetration, tolerance)) return Growth::penetration;
+  if (is_larger(pair.local_depth, was.local_depth, tolerance)) return Growth::local_depth;
+  return is_larger(pair.volume, was.volume, 0) ? Growth::volume : Growth::none;
 }
 
 /// The pairs of a report. Where it told how far apart all are, those that are apart and have no clearance of their own
@@ -158,6 +182,17 @@ GoneReason reason_of(const std::optional<IndexPair>& place, const io::Checked& c
 
 namespace io {
 
+Json json_of_extent(const FormerPair& pair) {
+  Json json = Json::object();
+  const auto tell = [&](const char* name, const auto& interval) {
+    if (interval) json[name] = {{"lower", interval->lower}, {"upper", interval->upper}};
+  };
+  tell("penetration", pair.penetration);
+  tell("local_depth", pair.local_depth);
+  tell("volume", pair.volume);
+  return json;
+}
+
 void compare_with(const Baseline& baseline, const Checked& checked, const CheckAnswer& answer, double tolerance,
                   CheckReport& report) {
   const FormerPairs former(baseline, checked.models);
@@ -168,7 +203,10 @@ void compare_with(const Baseline& baseline, const Checked& checked, const CheckA
     const IndexPair place{pair.a, pair.b};
     const std::optional<double> own = checked.rules.tolerances ? checked.rules.tolerances(place) : std::nullopt;
     pair.was = former.at(place);
-    if (pair.was) pair.moved_by = places.moved_by(place, own.value_or(tolerance));
+    if (pair.was) {
+      pair.moved_by = places.moved_by(place, own.value_or(tolerance));
+      pair.growth = growth_of(pair, *pair.was, own.value_or(tolerance));
+    }
     reported.insert(place);
   }
   for (const FormerPair& pair : baseline.pairs) {
@@ -184,6 +222,7 @@ Json json_of(const FormerPair& pair) {
                {"containment", name_of(pair.containment)}};
   if (pair.within_tolerance) json["tolerance"] = name_of(ToleranceVerdict::within);
   if (!pair.demanded) json["demanded"] = false;
+  json.update(json_of_extent(pair));
   return json;
 }
 
@@ -209,7 +248,8 @@ Baseline baseline_of(const JsonValue& value) {
     baseline.objects.push_back(former_object_of(object));
   }
   for (const JsonValue& pair : value.elements("pairs")) {
-    pair.expect_keys({"a", "b", "relation", "containment", "tolerance", "demanded"});
+    pair.expect_keys(
+        {"a", "b", "relation", "containment", "tolerance", "demanded", "penetration", "local_depth", "volume"});
     baseline.pairs.push_back(former_pair_of(pair));
   }
   return baseline;
@@ -243,10 +283,24 @@ std::optional<double> factor_between(const std::string& from, const std::string&
   return metres_from && metres_to ? std::optional(*metres_from / *metres_to) : std::nullopt;
 }
 
+template <class Interval>
+void scale_ends(std::optional<Interval>& interval, std::optional<double> factor) {
+  if (!factor) interval.reset();
+  if (interval) *interval = {interval->lower * *factor, interval->upper * *factor};
+}
+
+/// Lengths and volumes of then in the unit of now, a length of 1 in the former being `factor` in the latter; what
+/// cannot be compared is not known.
+void scale_extent(FormerPair& pair, std::optional<double> factor) {
+  scale_ends(pair.penetration, factor);
+  scale_ends(pair.local_depth, factor);
+  if (factor) factor = *factor * *factor * *factor;
+  scale_ends(pair.volume, factor);
+}
+
 /// Those of the pairs. What was told in a unit that cannot be compared with that of now is not known.
 std::vector<FormerObject> former_objects_in(const io::JsonValue& top, std::span<const FormerPair> pairs,
-                                            const std::string& unit) {
-  const std::optional<double> factor = factor_between(top.text_or("unit", unit), unit);
+                                            std::optional<double> factor) {
   if (!factor) return {};
   std::set<std::string_view> named;
   for (const FormerPair& pair : pairs) named.insert({pair.a, pair.b});
@@ -275,7 +329,9 @@ Baseline read_baseline(const std::filesystem::path& path, const Scene& scene) {
   require_common_object(top, scene);
   Baseline baseline{file, {}, {}};
   baseline.pairs = former_pairs_in(top);
-  baseline.objects = former_objects_in(top, baseline.pairs, scene.unit);
+  const std::optional<double> factor = factor_between(top.text_or("unit", scene.unit), scene.unit);
+  for (FormerPair& pair : baseline.pairs) scale_extent(pair, factor);
+  baseline.objects = former_objects_in(top, baseline.pairs, factor);
   return baseline;
 }
 

@@ -25,6 +25,8 @@ void compare_with(const Baseline& baseline, const Checked& checked, const CheckA
                   CheckReport& report);
 
 [[nodiscard]] Json json_of(const FormerPair& pair);
+/// Its depths and its volume alone, as far as they are known.
+[[nodiscard]] Json json_of_extent(const FormerPair& pair);
 [[nodiscard]] Json json_of(const Baseline& baseline);
 
 /// Back from JSON.

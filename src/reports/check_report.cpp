@@ -13,8 +13,8 @@ namespace {
 
 ReportedIntersection reported_intersection(const SceneInstance& a, const SceneInstance& b, const Contact& contact) {
   const IntersectionPoints found =
-      intersection_points(contact.intersection, world_triangle(a.model, a.pose, contact.triangle_a),
-                          world_triangle(b.model, b.pose, contact.triangle_b));
+      intersection_points(contact.intersection, world_triangle(a.model, a.pose, contact.element_a),
+                          world_triangle(b.model, b.pose, contact.element_b));
   return {contact.intersection.kind, {found.points.begin(), found.points.begin() + found.count}};
 }
 

@@ -1,14 +1,10 @@
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include <fmt/format.h>
-
-#include "math/constants.hpp"
+#include "core/require_length.hpp"
+#include "query/keep_least.hpp"
 #include "robots/each_configuration.hpp"
 #include "robots/placed_robot.hpp"
 #include "robots/scene_made.hpp"
-#include "toccata/core/error.hpp"
 #include "toccata/robots/robot_scene.hpp"
 
 namespace toccata {
@@ -32,12 +28,7 @@ class NearestRobotPair {
   }
 
  private:
-  /// Whose distance is certainly greater changes nothing: intervals are as wide as 10⁻¹² of them, or two doubles.
-  [[nodiscard]] double limit() const {
-    if (!least_) return max_distance_;
-    const double upper = least_->distance.upper;
-    return upper == 0 ? 0 : std::min(std::nextafter(upper * (1 + 0x1p-38), infinity), max_distance_);
-  }
+  [[nodiscard]] double limit() const { return last_distance(least_, max_distance_); }
 
   void look_at(const RobotBodyPair& pair) {
     if (placed_.certainly_apart(pair, limit()) || (least_ && placed_.hull_gap(pair, limit()) > limit())) return;
@@ -47,13 +38,10 @@ class NearestRobotPair {
 
   static Index other_body_of(const RobotBodyPair& pair) { return pair.with_part ? 0 : pair.other; }
 
-  void keep(RobotDistance found) {
-    const auto order = [](const RobotDistance& d) {
+  void keep(const RobotDistance& found) {
+    keep_least(least_, found, [](const RobotDistance& d) {
       return std::tie(d.distance.upper, d.pair, d.body, d.other_body, d.distance.element_b);
-    };
-    const double lower = least_ ? std::min(least_->distance.lower, found.distance.lower) : found.distance.lower;
-    if (!least_ || order(found) < order(*least_)) least_ = std::move(found);
-    least_->distance.lower = lower;
+    });
   }
 
   void add_gradient(RobotDistance& found) const {
@@ -83,15 +71,10 @@ class NearestRobotPair {
   std::optional<RobotDistance> least_;
 };
 
-void require_greatest_distance(double length) {
-  if (!(length >= 0))
-    throw Error(fmt::format("the greatest distance is {}; it has to be a length of 0 or more", length));
-}
-
 }  // namespace
 
 std::optional<RobotDistance> RobotScene::distance(std::span<const double> configuration, double max_distance) const {
-  require_greatest_distance(max_distance);
+  require_length(max_distance, "the greatest distance");
   return of_configuration(*made_, configuration,
                           [&](PlacedRobot& placed) { return NearestRobotPair(placed, max_distance).found(); });
 }
@@ -99,7 +82,7 @@ std::optional<RobotDistance> RobotScene::distance(std::span<const double> config
 std::vector<std::optional<RobotDistance>> RobotScene::distance_each(std::span<const double> configurations,
                                                                     double max_distance,
                                                                     const BatchOptions& options) const {
-  require_greatest_distance(max_distance);
+  require_length(max_distance, "the greatest distance");
   return of_each_configuration<std::optional<RobotDistance>>(*made_, configurations, options, [&](PlacedRobot& placed) {
     return NearestRobotPair(placed, max_distance).found();
   });

@@ -1,13 +1,13 @@
 #include "world/pair_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "bounds/box_bounds.hpp"
-#include "math/constants.hpp"
+#include "core/require_length.hpp"
+#include "query/keep_least.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/query/overlap.hpp"
@@ -16,45 +16,16 @@
 namespace toccata {
 namespace {
 
-void require_distance(double distance, const char* name) {
-  if (!(distance >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, distance));
-}
-
 IndexPair ordered(Index one, Index other) { return {std::min(one, other), std::max(one, other)}; }
 
-/// The nearest pair so far, and up to which distance another is of interest.
-class NearestPair {
- public:
-  explicit NearestPair(double max_distance) : max_distance_(max_distance) {}
-
-  /// Intervals are as wide as 10⁻¹² of the distance, or as two doubles are apart: what may widen that of the nearest is
-  /// looked at, too.
-  [[nodiscard]] double limit() const {
-    if (!found_) return max_distance_;
-    if (found_->upper == 0) return 0;
-    return std::min(std::nextafter(found_->upper * (1 + 0x1p-38), infinity), max_distance_);
-  }
-
-  /// It can neither take the place of the nearest nor widen its interval.
-  [[nodiscard]] bool is_needless(const IndexPair& pair) const { return found_ && found_->upper == 0 && pair_ < pair; }
-
-  void take(const Distance& distance, const IndexPair& pair) {
-    const double lower = found_ ? std::min(found_->lower, distance.lower) : distance.lower;
-    if (!found_ || std::tie(distance.upper, pair) < std::tie(found_->upper, pair_)) {
-      found_ = distance;
-      pair_ = pair;
-    }
-    found_->lower = lower;
-  }
-
-  [[nodiscard]] const std::optional<Distance>& found() const { return found_; }
-  [[nodiscard]] const IndexPair& pair() const { return pair_; }
-
- private:
-  double max_distance_;
-  std::optional<Distance> found_;
-  IndexPair pair_{};
+struct NearPair : Distance {
+  IndexPair pair;
 };
+
+/// The pair can neither take the place of the nearest nor widen its interval.
+bool is_needless(const IndexPair& pair, const std::optional<NearPair>& nearest) {
+  return nearest && nearest->upper == 0 && nearest->pair < pair;
+}
 
 }  // namespace
 
@@ -137,52 +108,53 @@ std::optional<BodyPair> BodyPairSearch::first_of(const std::vector<IndexPair>& p
   return std::nullopt;
 }
 
-std::optional<BodyPair> BodyPairSearch::first_within(double distance, Workspace& workspace) const {
-  require_distance(distance, "the distance");
+std::optional<BodyPair> BodyPairSearch::first_within(double max_distance, Workspace& workspace) const {
+  require_length(max_distance, "the greatest distance");
   if (!placed_.empty()) {
     std::vector<IndexPair> pairs;
     for (const Placed& one : placed_) {
-      const std::vector<IndexPair> some = near_pairs(one.index, distance);
+      const std::vector<IndexPair> some = near_pairs(one.index, max_distance);
       pairs.insert(pairs.end(), some.begin(), some.end());
     }
     std::ranges::sort(pairs);
-    return first_of(pairs, distance, workspace);
+    return first_of(pairs, max_distance, workspace);
   }
   for (const BodyId body : bodies_.world->bodies())
-    if (const auto found = first_of(near_pairs(body.index, distance), distance, workspace)) return found;
+    if (const auto found = first_of(near_pairs(body.index, max_distance), max_distance, workspace)) return found;
   return std::nullopt;
 }
 
 std::optional<BodyPairAnswer<Distance>> BodyPairSearch::nearest(double max_distance, Workspace& workspace) const {
-  require_distance(max_distance, "the greatest distance");
-  NearestPair nearest(max_distance);
+  require_length(max_distance, "the greatest distance");
+  std::optional<NearPair> nearest;
+  const auto limit = [&] { return last_distance(nearest, max_distance); };
   const auto consider = [&](Index one, Index other) {
     const IndexPair pair = ordered(one, other);
-    if (nearest.is_needless(pair) || !is_wanted(pair)) return;
-    const double limit = nearest.limit();
+    if (is_needless(pair, nearest) || !is_wanted(pair)) return;
     const auto found =
         ask(pair, workspace, [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
-          return distance_within(a, b, limit, query, memory);
+          return distance_within(a, b, limit(), query, memory);
         });
-    if (found) nearest.take(*found, pair);
+    if (found)
+      keep_least(nearest, {*found, pair}, [](const NearPair& near) { return std::tie(near.upper, near.pair); });
   };
   const auto search_from = [&](Index body) {
     const bool is_placed = placed(body) != nullptr;
     if (is_empty(box(body))) return;
-    boxes_.visit_nearest(box(body), nearest.limit(), [&](Index other) {
+    boxes_.visit_nearest(box(body), limit(), [&](Index other) {
       if (is_placed ? !placed(other) : other > body) consider(body, other);
-      return nearest.limit();
+      return limit();
     });
   };
   for (const Placed& one : placed_) {
     search_from(one.index);
     for (const Placed& other : placed_)
-      if (other.index > one.index && box_gap(one.box, other.box) <= nearest.limit()) consider(one.index, other.index);
+      if (other.index > one.index && box_gap(one.box, other.box) <= limit()) consider(one.index, other.index);
   }
   if (placed_.empty())
     for (const BodyId body : bodies_.world->bodies()) search_from(body.index);
-  if (!nearest.found()) return std::nullopt;
-  return BodyPairAnswer<Distance>{*nearest.found(), named(nearest.pair())};
+  if (!nearest) return std::nullopt;
+  return BodyPairAnswer<Distance>{*nearest, named(nearest->pair)};
 }
 
 }  // namespace toccata

@@ -16,7 +16,7 @@ class BodyPairSearch {
   BodyPairSearch(const WorldBodies& bodies, const BoxBvh& boxes, const BodyPairs& pairs);
 
   /// The least pair that is at most so far apart.
-  [[nodiscard]] std::optional<BodyPair> first_within(double distance, Workspace& workspace) const;
+  [[nodiscard]] std::optional<BodyPair> first_within(double max_distance, Workspace& workspace) const;
   /// The nearest pair, if it is at most so far apart.
   [[nodiscard]] std::optional<BodyPairAnswer<Distance>> nearest(double max_distance, Workspace& workspace) const;
 

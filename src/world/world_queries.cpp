@@ -50,10 +50,10 @@ void WorldQueries::update() {
 
 std::optional<BodyPair> WorldQueries::any_contact(const BodyPairs& pairs) const { return any_within(0, pairs); }
 
-std::optional<BodyPair> WorldQueries::any_within(double distance, const BodyPairs& pairs) const {
+std::optional<BodyPair> WorldQueries::any_within(double max_distance, const BodyPairs& pairs) const {
   objects_.require_unchanged();
   Workspace workspace;
-  return BodyPairSearch(objects_, boxes_, pairs).first_within(distance, workspace);
+  return BodyPairSearch(objects_, boxes_, pairs).first_within(max_distance, workspace);
 }
 
 std::optional<BodyPairAnswer<Distance>> WorldQueries::least_distance(const BodyPairs& pairs,

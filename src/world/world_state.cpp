@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/require_length.hpp"
 #include "math/constants.hpp"
 #include "query/posed_shape.hpp"
 #include "toccata/core/error.hpp"
@@ -31,15 +32,14 @@ std::string name_in_brackets(const std::string& name) { return name.empty() ? ""
 
 std::string name_of_id(const BodyId& id) { return fmt::format("body {} (generation {})", id.index, id.generation); }
 
-void require_length(double length, const char* name, const FunctionRef<std::string()>& who) {
-  if (!(length >= 0))
-    throw Error(fmt::format("{}: its {} is {}; it has to be a length of 0 or more", who(), name, length));
+void require_length_of(const FunctionRef<std::string()>& who, const char* name, double length) {
+  if (!(length >= 0)) require_length(length, fmt::format("{}: its {}", who(), name));
 }
 
 void require_lengths(const Body& body, const FunctionRef<std::string()>& who) {
-  require_length(body.margin, "margin", who);
-  require_length(body.max_acceleration, "max_acceleration", who);
-  require_length(body.max_speed, "max_speed", who);
+  require_length_of(who, "margin", body.margin);
+  require_length_of(who, "max_acceleration", body.max_acceleration);
+  require_length_of(who, "max_speed", body.max_speed);
 }
 
 void require_as_many(std::size_t ids, std::size_t others, const char* noun) {
@@ -345,8 +345,9 @@ void World::State::set_rules(std::span<const PairRule> rules) {
     indices.push_back(require(rule.a));
     indices.push_back(require(rule.b));
     if (rule.a == rule.b) throw Error(fmt::format("a rule is given for {} with itself", name_of_body(rule.a.index)));
-    require_length(rule.margin.value_or(0), "margin",
-                   [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); });
+    require_length_of(
+        [&] { return "the rule for " + name_of_body(rule.a.index) + " and " + name_of_body(rule.b.index); }, "margin",
+        rule.margin.value_or(0));
   }
   for (const PairRule& rule : rules) apply(rule);
   follow_rules(indices);

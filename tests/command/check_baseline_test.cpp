@@ -114,7 +114,9 @@ TEST_F(CheckBaseline, TellsWhatIsNoGraverAndHasMoved) {
             "  moved by 0.0625  a  overlaps  b  (both solids)\n"
             "1 pair in contact, decided exactly.\n"
             "  gone  b  touches  c  (not in the files now)\n"
-            "Since old.json: 0 new, 0 graver, 1 moved, 0 known, 1 gone.\n");
+            "Since old.json: 0 new, 0 graver, 1 moved, 0 known, 1 gone.\n"
+            "Of 1 that moved it is not known whether the overlap has grown: ask for --penetration or --volume both "
+            "times.\n");
   EXPECT_EQ(check(nearly, {"--baseline", "old.json", "--fail-on", "new"}).exit_code, 0);
 }
 
@@ -204,6 +206,39 @@ TEST_F(CheckBaseline, KnowsPairsAndContainmentInEitherOrder) {
     "pairs": [{"a": "a", "b": "b", "relation": "overlapping", "containment": "a_in_b"}]})");
   EXPECT_EQ(since({{"b", 0}, {"a", 0.5}})["pairs"][0]["was"]["containment"], "b_in_a");
   EXPECT_EQ(since({{"a", 0}, {"b", 0.5}})["pairs"][0]["was"]["containment"], "a_in_b");
+}
+
+TEST_F(CheckBaseline, AnOverlapThatGrowsIsGraver) {
+  const std::vector<Placed> then = {{"a", 0}, {"b", 1.5}}, deeper = {{"a", 0}, {"b", 1.25}};
+  const std::vector<std::string> depths = {"--penetration"}, volumes = {"--volume"};
+  const auto told = [&](const std::vector<Placed>& boxes, const std::vector<std::string>& options) {
+    return Json(since(boxes, options)["pairs"][0]);
+  };
+  for (const auto& options : {depths, volumes}) {
+    keep(then, options);
+    const std::string measure = options == depths ? "penetration" : "volume";
+    const Json grown = told(deeper, options);
+    EXPECT_EQ(grown["baseline"], "graver");
+    EXPECT_EQ(grown["was"]["relation"], "overlapping");
+    const double was = options == depths ? 0.5 : 2;
+    EXPECT_NEAR(grown["was"][measure]["lower"].get<double>(), was, 1e-9);
+    EXPECT_NEAR(grown["was"][measure]["upper"].get<double>(), was, 1e-9);
+    EXPECT_EQ(told({{"a", 0}, {"b", 1.75}}, options)["baseline"], "moved") << "it is less than before";
+    EXPECT_EQ(told({{"a", 0}, {"b", 1.499}}, options)["baseline"], "moved") << "by less than a hundredth";
+    EXPECT_EQ(told(then, options)["baseline"], "known");
+    EXPECT_EQ(told(deeper, {})["baseline"], "moved") << "how deep it is now is not known";
+    std::vector<std::string> failing = options;
+    failing.insert(failing.end(), {"--baseline", "old.json", "--fail-on", "new"});
+    EXPECT_EQ(check(deeper, failing).exit_code, 1);
+    EXPECT_EQ(check(then, failing).exit_code, 0);
+  }
+  EXPECT_EQ(told(deeper, {"--volume", "--tolerance", "0.3"})["was"].contains("penetration"), false);
+  keep(then, depths);
+  EXPECT_EQ(told(deeper, {"--penetration", "--tolerance", "0.3"})["baseline"], "known") << "by less than the tolerance";
+  EXPECT_NE(check(deeper, {"--penetration", "--baseline", "old.json"}).out.find("  graver (before: 0.5 deep)  a  "),
+            std::string::npos);
+  const std::string blind = check(deeper, {"--baseline", "old.json"}).out;
+  EXPECT_NE(blind.find("Of 1 that moved it is not known whether the overlap has grown"), std::string::npos) << blind;
 }
 
 TEST_F(CheckBaseline, IsToldInTheTableAndInCsv) {

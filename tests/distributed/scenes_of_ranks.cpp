@@ -45,7 +45,7 @@ void expect_equal(const PairAnswer& found, const PairAnswer& expected) {
   EXPECT_EQ(found.relation, expected.relation);
   ASSERT_EQ(found.contacts.size(), expected.contacts.size());
   for (std::size_t i = 0; i < found.contacts.size(); ++i) {
-    EXPECT_EQ(found.contacts[i].triangle_a, expected.contacts[i].triangle_a);
+    EXPECT_EQ(found.contacts[i].element_a, expected.contacts[i].element_a);
     EXPECT_EQ(found.contacts[i].face_b, expected.contacts[i].face_b);
     EXPECT_EQ(found.contacts[i].intersection, expected.contacts[i].intersection);
   }

@@ -119,7 +119,7 @@ TEST(HardScenes, EveryBoxOfAFieldFacesOneOfTheOther) {
   const Scene scene = fields_of_boxes(-1e-6, 3);
   const Model left(scene.objects[0].mesh()), right(scene.objects[1].mesh());
   std::set<std::pair<Index, Index>> boxes;
-  for (const auto& contact : contacts(left, right)) boxes.insert({contact.triangle_a / 12, contact.triangle_b / 12});
+  for (const auto& contact : contacts(left, right)) boxes.insert({contact.element_a / 12, contact.element_b / 12});
   EXPECT_EQ(boxes, (std::set<std::pair<Index, Index>>{
                        {0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}, {8, 8}}));
   EXPECT_EQ(scene.objects[0].mesh()->face_count(), 54U);

@@ -38,7 +38,7 @@ std::vector<ItemPair> contacts_with_ball(const Model& model) {
   query.pose_b = Pose::translation(0.9, 0.1, 0);
   std::vector<ItemPair> pairs;
   for (const Contact& contact : contacts(model, Model(noisy_ball()), query))
-    pairs.push_back({contact.triangle_a, contact.triangle_b});
+    pairs.push_back({contact.element_a, contact.element_b});
   return pairs;
 }
 

@@ -317,9 +317,9 @@ TEST(RoundDepths, OfLeastSizesAgreeWithOverlap) {
   EXPECT_TRUE(overlap(PosedPolytope(a, {}), PosedPolytope(a, beside)));
   EXPECT_GT(penetration(a, {}, a, beside).upper, 0);
   const Capsule rod({0, 0, 0}, {3e-162, 3e-162, 3e-162}, 2.8e-162);
-  const Box box({1e-162, 1e-162, 1e-162});
+  const Box block({1e-162, 1e-162, 1e-162});
   const Pose aside = Pose::translation(2.58e-162, 2.58e-162, 2.58e-162);
-  EXPECT_EQ(overlap(rod, aside, box, {}), overlap(PosedPolytope(rod, aside), PosedPolytope(box, {})));
+  EXPECT_EQ(overlap(rod, aside, block, {}), overlap(PosedPolytope(rod, aside), PosedPolytope(block, {})));
 }
 
 TEST(RoundDepths, AlongAnAxisTheDirectionIsOfLengthOne) {

@@ -159,9 +159,9 @@ TEST(CompoundModels, AreAnsweredAboutAsTheLeastOfTheirParts) {
       EXPECT_EQ(overlap(a, b), !meeting.empty());
       std::vector<std::pair<Index, Index>> found;
       for (const Contact& contact : contacts(a, b)) {
-        found.emplace_back(contact.triangle_a, contact.triangle_b);
-        const PosedPolytope part_a = test::posed(shapes[2 * contact.triangle_a]);
-        const PosedPolytope part_b = test::posed(shapes[2 * contact.triangle_b + 1]);
+        found.emplace_back(contact.element_a, contact.element_b);
+        const PosedPolytope part_a = test::posed(shapes[2 * contact.element_a]);
+        const PosedPolytope part_b = test::posed(shapes[2 * contact.element_b + 1]);
         EXPECT_EQ(manifold(a, b, contact), manifold(part_a, part_b));
       }
       EXPECT_EQ(found, meeting);

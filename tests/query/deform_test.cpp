@@ -28,7 +28,7 @@ using Pairs = std::vector<std::pair<Index, Index>>;
 
 Pairs pairs_of(const std::vector<Contact>& contacts) {
   Pairs pairs;
-  for (const Contact& contact : contacts) pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+  for (const Contact& contact : contacts) pairs.emplace_back(contact.element_a, contact.element_b);
   return pairs;
 }
 

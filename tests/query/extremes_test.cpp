@@ -63,8 +63,8 @@ TEST(Extremes, ContactsAtTheGreatestDoublesAreThoseOfSmallMeshes) {
   ASSERT_EQ(few.size(), many.size());
   EXPECT_GT(few.size(), 10U);
   for (std::size_t i = 0; i < few.size(); ++i) {
-    EXPECT_EQ(few[i].triangle_a, many[i].triangle_a);
-    EXPECT_EQ(few[i].triangle_b, many[i].triangle_b);
+    EXPECT_EQ(few[i].element_a, many[i].element_a);
+    EXPECT_EQ(few[i].element_b, many[i].element_b);
   }
   EXPECT_EQ(self_contacts(torus, enlarged(Pose{}, factor)).size(), self_contacts(torus, Pose{}).size());
 }

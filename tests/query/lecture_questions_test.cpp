@@ -36,8 +36,8 @@ TEST(LectureQuestion, OnlyTrianglesInTheRegionThatBothBoxesShareCanMeet) {
   const std::vector<Contact> all = contacts(ball, ball, {.pose_b = pose_b});
   EXPECT_GT(all.size(), 50U);
   for (const Contact& contact : all) {
-    EXPECT_TRUE(is_among(contact.triangle_a, of_a));
-    EXPECT_TRUE(is_among(contact.triangle_b, of_b));
+    EXPECT_TRUE(is_among(contact.element_a, of_a));
+    EXPECT_TRUE(is_among(contact.element_b, of_b));
   }
   // A list for a list: a sixteenth of all pairs, or less, is left.
   EXPECT_LT(16 * of_a.size() * of_b.size(), static_cast<std::size_t>(mesh.triangle_count()) * mesh.triangle_count());

@@ -172,7 +172,7 @@ void expect_one_contact(const Model& a, const Model& b, const PairQuery& query) 
   EXPECT_EQ(truth.upper, 0);
   const auto all = contacts(a, b, query);
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Contact& contact) {
-    return contact.triangle_a == truth.element_a && contact.triangle_b == truth.element_b;
+    return contact.element_a == truth.element_a && contact.element_b == truth.element_b;
   }));
   DistanceCache cache;
   PairQuery before = query;

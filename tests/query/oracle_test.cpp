@@ -22,7 +22,7 @@ TEST(Contacts, AreThoseOfTheOracle) {
       const double grid = seed % 2 == 0 ? 8 : 0;
       const Model a(test::random_soup(random, 15, 0.3, grid)), b(test::random_soup(random, 15, 0.3, grid));
       std::vector<oracle::TrianglePair> found;
-      for (const Contact& contact : contacts(a, b, query)) found.push_back({contact.triangle_a, contact.triangle_b});
+      for (const Contact& contact : contacts(a, b, query)) found.push_back({contact.element_a, contact.element_b});
       EXPECT_EQ(found, oracle::intersecting_pairs(oracle::surface_set(a.mesh(), query.pose_a),
                                                   oracle::surface_set(b.mesh(), query.pose_b)));
     }

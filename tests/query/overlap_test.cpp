@@ -97,7 +97,7 @@ TEST(Contacts, AreAscendingAndNameFaces) {
   ASSERT_FALSE(found.empty());
   EXPECT_TRUE(test::same(found, test::contacts_by_brute_force(square, unit, {})));
   for (const Contact& contact : found) EXPECT_EQ(contact.face_a, 0U) << "both triangles are of face 0";
-  EXPECT_EQ(first_contact(square, unit)->triangle_b, found.front().triangle_b);
+  EXPECT_EQ(first_contact(square, unit)->element_b, found.front().element_b);
 }
 
 TEST(Contacts, HugeAndTinyCoordinatesInOneQuestion) {

@@ -178,7 +178,7 @@ TEST(QuadricModels, ContactsWithCompoundsAndMeshesHaveTheManifoldsOfTheirElement
   for (const Contact& contact : on_mesh) {
     const Manifold m = manifold(slab, can, contact, on_top);
     EXPECT_EQ(m,
-              manifold(PosedPolytope(world_triangle(slab, {}, contact.triangle_a)), PosedQuadric(can, on_top.pose_b)));
+              manifold(PosedPolytope(world_triangle(slab, {}, contact.element_a)), PosedQuadric(can, on_top.pose_b)));
     EXPECT_EQ(m.normal, (Vec3{0, 0, 1}));
     expect_standing(m, 0.96875, 0.0625);
   }

@@ -111,7 +111,7 @@ TEST(SceneIndex, BadInputIsRefusedByName) {
   EXPECT_EQ(message([&] { return index.nearest({ball}, -1); }),
             "the greatest distance is -1; it has to be a length of 0 or more");
   EXPECT_EQ(message([&] { return index.within({ball}, NAN); }),
-            "the distance is nan; it has to be a length of 0 or more");
+            "the greatest distance is nan; it has to be a length of 0 or more");
   EXPECT_NE(message([&] { return index.overlapping({ball, lost}); }).find("the shape"), std::string::npos);
   // It could be met, but is not answered for.
   const Model ground(HalfSpace({0, 0, 0}, {0, 0, 1}));

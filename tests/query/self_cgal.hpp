@@ -60,7 +60,7 @@ inline TrianglePairs pairs_by_cgal(const CgalSurface& surface) {
 inline TrianglePairs pairs_by_toccata(const TriangleMesh& mesh, const Pose& pose) {
   TrianglePairs pairs;
   for (const Contact& contact : self_contacts(Model(mesh), pose))
-    pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+    pairs.emplace_back(contact.element_a, contact.element_b);
   return pairs;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 bool is_intersection_of(const Contact& contact, const Model& model, const Pose& pose) {
   return contact.intersection ==
-         intersect(world_triangle(model, pose, contact.triangle_a), world_triangle(model, pose, contact.triangle_b));
+         intersect(world_triangle(model, pose, contact.element_a), world_triangle(model, pose, contact.element_b));
 }
 
 std::string fault_of_self_contacts(const SelfMesh& made) {
@@ -20,7 +20,7 @@ std::string fault_of_self_contacts(const SelfMesh& made) {
   const std::vector<Contact> contacts = self_contacts(model, made.pose);
   std::vector<oracle::TrianglePair> found;
   for (const Contact& contact : contacts) {
-    found.push_back({contact.triangle_a, contact.triangle_b});
+    found.push_back({contact.element_a, contact.element_b});
     if (!is_intersection_of(contact, model, made.pose)) return "a meeting is not that of the triangles";
   }
   if (found != expected) return fmt::format("self_contacts finds {} of {}", found.size(), expected.size());

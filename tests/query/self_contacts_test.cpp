@@ -26,7 +26,7 @@ using Pairs = std::vector<std::pair<Index, Index>>;
 Pairs pairs_of(const TriangleMesh& mesh, const Pose& pose = {}) {
   const Model model(mesh);
   Pairs pairs;
-  for (const Contact& contact : self_contacts(model, pose)) pairs.emplace_back(contact.triangle_a, contact.triangle_b);
+  for (const Contact& contact : self_contacts(model, pose)) pairs.emplace_back(contact.element_a, contact.element_b);
   EXPECT_EQ(self_overlap(model, pose), !pairs.empty());
   return pairs;
 }

@@ -75,7 +75,7 @@ std::string check_compound(const ConvexCase& first, const PlacedPolytope& second
   if (overlap(a, b, query) == meeting.empty()) return "overlap";
   if ((relation(a, b, query).kind == RelationKind::apart) != meeting.empty()) return "relation";
   std::vector<Index> found;
-  for (const Contact& contact : contacts(a, b, query)) found.push_back(contact.triangle_a);
+  for (const Contact& contact : contacts(a, b, query)) found.push_back(contact.element_a);
   if (found != meeting) return "contacts";
   if (!is_solid(placed[0]) || !is_solid(placed[1]) || !is_solid(first.b)) return "";
   // The interiors of solids meet where those of a part do.

@@ -58,10 +58,10 @@ TEST(ShapeQuestions, ContactsOfAShapeAreTheTrianglesThatMeetIt) {
   const std::vector<Contact> hits = contacts(cube, Sphere{0.5}, above);
   ASSERT_FALSE(hits.empty());
   for (const Contact& hit : hits) {
-    EXPECT_EQ(hit.triangle_b, 0U);
+    EXPECT_EQ(hit.element_b, 0U);
     EXPECT_EQ(hit.intersection.kind, IntersectionKind::none);
     EXPECT_TRUE(
-        overlap(PosedPolytope(cube.mesh().vertices().empty() ? Triangle{} : world_triangle(cube, {}, hit.triangle_a)),
+        overlap(PosedPolytope(cube.mesh().vertices().empty() ? Triangle{} : world_triangle(cube, {}, hit.element_a)),
                 PosedPolytope(Sphere{0.5}, above.pose_b)));
   }
   // Triangles have an intersection of their own.
@@ -94,7 +94,7 @@ TEST(Compounds, AreTheUnionOfTheirParts) {
   EXPECT_NEAR(distance(dumbbell, Sphere{0.5}).upper, 0.5, 1e-12);
   const std::vector<Contact> hits = contacts(Sphere{1}, dumbbell);
   ASSERT_EQ(hits.size(), 2U);
-  EXPECT_EQ(hits[1].triangle_b, 1U);
+  EXPECT_EQ(hits[1].element_b, 1U);
 }
 
 TEST(Compounds, CountTheElementsOfTheirMeshes) {
@@ -105,7 +105,7 @@ TEST(Compounds, CountTheElementsOfTheirMeshes) {
   EXPECT_EQ(model.element_count(), 13U);
   const std::vector<Contact> hits = contacts(model, Sphere{0.5, {3.25, 0, 0}});
   ASSERT_EQ(hits.size(), 1U);
-  EXPECT_EQ(hits[0].triangle_a, 12U);
+  EXPECT_EQ(hits[0].element_a, 12U);
   EXPECT_EQ(distance(model, Sphere{0.5, {4, 0, 0}}).element_a, 12U);
   EXPECT_TRUE(taken_as_solid(model, Solid::automatic));
 }

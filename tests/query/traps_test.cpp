@@ -73,8 +73,7 @@ TEST(Traps, TrianglesThatLoseTheirAreaInTheWorld) {
                set_b = oracle::surface_set(ball.mesh(), query.pose_b);
     for (const auto& triangle : set_a.triangles) without_area += oracle::dimension(triangle) < 2 ? 1 : 0;
     std::vector<oracle::TrianglePair> found;
-    for (const Contact& contact : contacts(ball, ball, query))
-      found.push_back({contact.triangle_a, contact.triangle_b});
+    for (const Contact& contact : contacts(ball, ball, query)) found.push_back({contact.element_a, contact.element_b});
     EXPECT_EQ(found, oracle::intersecting_pairs(set_a, set_b));
     touching += found.empty() ? 0 : 1;
     const oracle::Relation expected =

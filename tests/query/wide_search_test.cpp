@@ -283,8 +283,8 @@ std::uint64_t hash_of(std::span<const Contact> contacts) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
   for (const Contact& contact : contacts) {
-    add(contact.triangle_a);
-    add(contact.triangle_b);
+    add(contact.element_a);
+    add(contact.element_b);
     for (std::size_t i = 0; i < contact.intersection.count; ++i) {
       const IntersectionPoint& point = contact.intersection.points[i];
       for (const Feature& feature : {point.on_a, point.on_b})

@@ -157,7 +157,7 @@ TEST(WithinDistance, RefusesWhatIsNoLength) {
     static_cast<void>(within_distance_each({ball, ball, std::vector<PairQuery>(3)}, -2));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "query 0: tolerance is -2; it has to be a length of 0 or more");
+    EXPECT_STREQ(error.what(), "query 0: the greatest distance is -2; it has to be a length of 0 or more");
   }
 }
 

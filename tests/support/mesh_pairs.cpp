@@ -9,7 +9,7 @@
 namespace toccata::test {
 namespace {
 
-auto place(const Contact& contact) { return std::pair(contact.triangle_a, contact.triangle_b); }
+auto place(const Contact& contact) { return std::pair(contact.element_a, contact.element_b); }
 
 std::vector<Triangle> world_triangles(const Model& model, const Pose& pose) {
   std::vector<Triangle> triangles;
@@ -26,7 +26,7 @@ std::vector<Aabb> boxes_of(const std::vector<Triangle>& triangles) {
 /// With the models exchanged, and in the order of that question.
 std::vector<Contact> exchanged(std::vector<Contact> contacts) {
   for (Contact& contact : contacts)
-    contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
+    contact = {contact.element_b, contact.element_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
   std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) { return place(x) < place(y); });
   return contacts;
 }

@@ -193,7 +193,7 @@ TEST(BodyPairs, OfBadInputAreRefusedByName) {
   EXPECT_EQ(message_of([&] { (void)queries.least_distance({.placed = nowhere}); }).substr(0, 32),
             "body 1 (generation 1) (\"link 1\")");
   EXPECT_EQ(message_of([&] { (void)queries.any_within(-1); }),
-            "the distance is -1; it has to be a length of 0 or more");
+            "the greatest distance is -1; it has to be a length of 0 or more");
   EXPECT_EQ(message_of([&] { (void)queries.least_distance({}, -1); }),
             "the greatest distance is -1; it has to be a length of 0 or more");
   EXPECT_EQ(message_of([&] { (void)robot.world.pair_margin(robot.post, robot.post); }),

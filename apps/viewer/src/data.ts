@@ -138,6 +138,12 @@ export interface Distance {
   status: string;
 }
 
+/// What is known of a depth or a volume.
+export interface Extent {
+  lower: number;
+  upper: number;
+}
+
 export interface Pair {
   a: string;
   b: string;
@@ -153,7 +159,7 @@ export interface Pair {
   distance?: Distance;
   clearance?: number | 'all';
   baseline?: 'new' | 'known' | 'moved' | 'graver';
-  was?: { relation: string; containment: string };
+  was?: { relation: string; containment: string; penetration?: Extent; local_depth?: Extent; volume?: Extent };
   moved_by?: number;
   kind?: string;
   volume?: { lower: number; upper: number; status: string } | null;

@@ -156,13 +156,23 @@ function ofGone(pair: GonePair, report: Report): Finding {
 const sinceOf = ({ baseline, moved_by }: Pair, unit: string): string =>
   baseline === 'moved' && moved_by ? `moved by ${lengthText(moved_by, unit)}` : (baseline ?? '');
 
+/// What it was, where that was something else or less.
+function beforeOf({ was, relation }: Pair, unit: string): string {
+  if (!was) return '';
+  const depth = was.penetration ?? was.local_depth;
+  if (was.relation !== relation || !(depth ?? was.volume)) return `, ${was.relation} before`;
+  if (depth) return `, ${bracketText(depth.lower, depth.upper, unit)} deep before`;
+  const cubed = unit === 'unit' ? '' : ` ${unit}³`;
+  return was.volume ? `, ${bracketText(was.volume.lower, was.volume.upper, 'unit')}${cubed} in common before` : '';
+}
+
 /// What stands below the sentence.
 function pairFacts(pair: Pair, faces: string, unit: string): Part[][] {
   const facts = [...distanceFacts(pair.distance, unit), ...depthFacts(pair.penetration, pair.b_index, unit)];
   if (faces) facts.push([faces.startsWith('no') ? faces : `${faces} in contact`]);
   facts.push(...volumeFacts(pair, unit));
   facts.push(...toleranceFact(pair, unit));
-  if (pair.baseline) facts.push([`since the baseline: ${sinceOf(pair, unit)}${pair.was ? `, ${pair.was.relation} before` : ''}`]);
+  if (pair.baseline) facts.push([`since the baseline: ${sinceOf(pair, unit)}${beforeOf(pair, unit)}`]);
   if (pair.regions?.length) facts.push([countText(pair.regions.length, 'region of contact', 'regions of contact')], ...regionFacts(pair.regions, unit));
   if (pair.manifold) facts.push([countText(pair.manifold.points.length, 'point of contact', 'points of contact')]);
   return facts;

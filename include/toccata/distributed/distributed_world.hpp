@@ -176,7 +176,8 @@ class DistributedWorld {
   [[nodiscard]] std::vector<std::optional<GlobalAnswer<RayHit>>> cast_ray_each(std::span<const Ray> rays);
   [[nodiscard]] std::vector<std::optional<GlobalAnswer<ShapeHit>>> cast_shape_each(std::span<const MovingShape> moving);
   [[nodiscard]] std::vector<std::vector<GlobalId>> overlapping_each(std::span<const SceneInstance> shapes);
-  [[nodiscard]] std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes, double distance);
+  [[nodiscard]] std::vector<std::vector<GlobalId>> within_each(std::span<const SceneInstance> shapes,
+                                                               double max_distance);
   [[nodiscard]] std::vector<std::optional<GlobalAnswer<Distance>>> nearest_each(
       std::span<const SceneInstance> shapes, double max_distance = std::numeric_limits<double>::infinity());
   /// The k nearest bodies to each shape, by the `distance` of the shape and each of them: the least by (upper, id),

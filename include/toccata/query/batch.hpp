@@ -99,9 +99,10 @@ struct ContactCount {
 
 [[nodiscard]] std::vector<Distance> distance_each(const Batch<PairQuery>& batch, const BatchOptions& options = {});
 /// 1 where they are at most so far from each other, else 0.
-[[nodiscard]] std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double tolerance,
+[[nodiscard]] std::vector<std::uint8_t> within_distance_each(const Batch<PairQuery>& batch, double max_distance,
                                                              const BatchOptions& options = {});
-[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch, double limit,
+[[nodiscard]] std::vector<std::optional<Distance>> distance_within_each(const Batch<PairQuery>& batch,
+                                                                        double max_distance,
                                                                         const BatchOptions& options = {});
 
 [[nodiscard]] std::vector<Penetration> penetration_each(const Batch<PairQuery>& batch,

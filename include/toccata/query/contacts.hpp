@@ -17,8 +17,8 @@ namespace toccata {
 /// Two triangles, one of each model, that have a point in common, and what they have in common. For models that are not
 /// made of triangles, these are elements (see Model) instead.
 struct Contact {
-  Index triangle_a = 0;
-  Index triangle_b = 0;
+  Index element_a = 0;
+  Index element_b = 0;
   Index face_a = 0;  ///< the file's own face, counted from 0
   Index face_b = 0;
   Intersection intersection;  ///< that of two triangles; else of kind none, and `manifold` finds points
@@ -26,7 +26,7 @@ struct Contact {
   friend constexpr bool operator==(const Contact&, const Contact&) = default;
 };
 
-/// All pairs of elements that meet, ascending by (triangle_a, triangle_b). Exact, as `overlap` is; nothing is left out.
+/// All pairs of elements that meet, ascending by (element_a, element_b). Exact, as `overlap` is; nothing is left out.
 /// A model inside a solid mesh without touching its surface has no contacts: ask `relation`. (A triangle inside a box
 /// or another solid that is one element meets it.)
 [[nodiscard]] std::vector<Contact> contacts(const Model& a, const Model& b, const PairQuery& query = {});
@@ -35,7 +35,7 @@ struct Contact {
 [[nodiscard]] std::span<const Contact> contacts(const Model& a, const Model& b, const PairQuery& query,
                                                 Workspace& workspace);
 
-/// The least of them by (triangle_a, triangle_b).
+/// The least of them by (element_a, element_b).
 [[nodiscard]] std::optional<Contact> first_contact(const Model& a, const Model& b, const PairQuery& query = {});
 
 /// The same, for a caller who asks often.
@@ -57,7 +57,7 @@ requires NeedAModel<A, B> std::vector<Contact> contacts(const A&, const B&, cons
 namespace toccata {
 
 [[nodiscard]] inline Contact flipped(const Contact& c) {
-  return {c.triangle_b, c.triangle_a, c.face_b, c.face_a, flipped(c.intersection)};
+  return {c.element_b, c.element_a, c.face_b, c.face_a, flipped(c.intersection)};
 }
 
 /// The contacts with A and B exchanged, in their old order; sort them anew.

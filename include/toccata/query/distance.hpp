@@ -24,15 +24,15 @@ template <class A, class B>
 requires NeedAModel<A, B> Distance distance(const A&, const B&, const PairQuery& = {})
 = delete;
 
-/// Is the exact distance of the two posed models at most `tolerance` (in world units)? Decided exactly, as everything
-/// about world doubles is; of cylinders, cones and ellipsoids a no is proved, and a tolerance within the interval of
-/// the distance counts as yes. With a tolerance of 0 it is `overlap`. It ends at the first two elements that are so
-/// near, and looks at nothing that is farther, so it costs less than the distance. Throws Error like `distance`, and
-/// when the tolerance is negative or no number; it may be infinite.
-[[nodiscard]] bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query = {});
+/// Is the exact distance of the two posed models at most `max_distance` (in world units)? Decided exactly, as
+/// everything about world doubles is; of cylinders, cones and ellipsoids a no is proved, and a number within the
+/// interval of the distance counts as yes. Of 0 it is `overlap`. It ends at the first two elements that are so near,
+/// and looks at nothing that is farther, so it costs less than the distance. Throws Error like `distance`, and when the
+/// greatest distance is negative or no number; it may be infinite.
+[[nodiscard]] bool within_distance(const Model& a, const Model& b, double max_distance, const PairQuery& query = {});
 
 /// The same, for a caller who asks often: what was found near the last time is looked at first.
-[[nodiscard]] bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query,
+[[nodiscard]] bool within_distance(const Model& a, const Model& b, double max_distance, const PairQuery& query,
                                    Workspace& workspace);
 
 /// Make a Model of it, once: `Model(mesh)`.
@@ -42,11 +42,11 @@ bool within_distance(const A&, const B&, double, const PairQuery& = {}) = delete
 
 /// What `distance` answers, to the last bit, where `within_distance` says yes; nothing where it says no, which is found
 /// out without the distance. Throws like it.
-[[nodiscard]] std::optional<Distance> distance_within(const Model& a, const Model& b, double limit,
+[[nodiscard]] std::optional<Distance> distance_within(const Model& a, const Model& b, double max_distance,
                                                       const PairQuery& query = {});
 
 /// The same, for a caller who asks often.
-[[nodiscard]] std::optional<Distance> distance_within(const Model& a, const Model& b, double limit,
+[[nodiscard]] std::optional<Distance> distance_within(const Model& a, const Model& b, double max_distance,
                                                       const PairQuery& query, Workspace& workspace);
 
 }  // namespace toccata

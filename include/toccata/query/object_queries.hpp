@@ -71,7 +71,8 @@ class ObjectQueries {
   [[nodiscard]] std::optional<Found<Distance>> nearest(const SceneInstance& shape, double max_distance = unlimited,
                                                        const Filter& filter = {}) const;
   /// The objects that are at most so far from the shape, decided exactly. Throws like `within_distance`.
-  [[nodiscard]] std::vector<Id> within(const SceneInstance& shape, double distance, const Filter& filter = {}) const;
+  [[nodiscard]] std::vector<Id> within(const SceneInstance& shape, double max_distance,
+                                       const Filter& filter = {}) const;
 
   // The same asked many times at once; an error begins with "ray i: " or "shape i: ", of the least such i.
 
@@ -88,7 +89,7 @@ class ObjectQueries {
                                                                          double max_distance = unlimited,
                                                                          const Filter& filter = {},
                                                                          const BatchOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::vector<Id>> within_each(std::span<const SceneInstance> shapes, double distance,
+  [[nodiscard]] std::vector<std::vector<Id>> within_each(std::span<const SceneInstance> shapes, double max_distance,
                                                          const Filter& filter = {},
                                                          const BatchOptions& options = {}) const;
 

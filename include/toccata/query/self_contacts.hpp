@@ -15,7 +15,7 @@ namespace toccata {
 // of vertices do not matter, so a soup of triangles is answered like a welded mesh. Exact. The mesh may be open or
 // closed, a solid or not. Throws Error when the pose or a world vertex is not finite, and for a model that is no mesh.
 
-/// All pairs of triangles in which the posed model intersects itself, ascending by (triangle_a, triangle_b); triangle_a
+/// All pairs of triangles in which the posed model intersects itself, ascending by (element_a, element_b); element_a
 /// is the lesser. The intersection is all that the two have in common, also what they share.
 [[nodiscard]] std::vector<Contact> self_contacts(const Model& model, const Pose& pose = {});
 

@@ -53,6 +53,9 @@ struct FormerPair {
   Containment containment = Containment::none;
   bool within_tolerance = false;
   bool demanded = true;  ///< no: two that were apart, of which no clearance was demanded (`--clearance all`)
+  // What the report told of the overlap, in units of the world of now.
+  std::optional<ContactRegion::Depth> penetration{}, local_depth{};
+  std::optional<OverlapVolume> volume{};
   friend bool operator==(const FormerPair&, const FormerPair&) = default;
 };
 
@@ -64,6 +67,10 @@ struct FormerObject {
   std::optional<Aabb> box;
   friend bool operator==(const FormerObject&, const FormerObject&) = default;
 };
+
+/// By what an overlap is certainly larger than it was: the least of now is more than the most of then, by more than a
+/// hundredth of it, and of a depth by more than the pair's tolerance.
+enum class Growth { none, penetration, local_depth, volume };
 
 using ClashKind = PairAnswer::Kind;
 using ClashPiercing = PairAnswer::Piercing;
@@ -82,6 +89,7 @@ struct ReportedPair {
   std::optional<Distance> distance;      ///< filled when the answer has distances
   double clearance = 0;                  ///< as in PairAnswer
   std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
+  Growth growth = Growth::none;          ///< since the baseline
   std::optional<double> moved_by{};      ///< how far one of the two has moved as seen from the other, where it has
   ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
   ClashPiercing piercing = ClashPiercing::none;
@@ -153,8 +161,9 @@ struct GonePair {
   GoneReason reason = GoneReason::apart;
 };
 
-/// How a pair stands against the baseline. Contact is graver than nearness, and overlap graver than touch. What is no
-/// graver has moved where one of the two lies otherwise to the other (ReportedPair::moved_by).
+/// How a pair stands against the baseline. Contact is graver than nearness, overlap graver than touch, and an overlap
+/// that has grown graver than it was. What is no graver has moved where one of the two lies otherwise to the other
+/// (ReportedPair::moved_by).
 enum class Since { added, known, moved, graver };
 
 /// The order in which pairs are reported.

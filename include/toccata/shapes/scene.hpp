@@ -12,11 +12,12 @@
 
 namespace toccata {
 
-/// Whether a mesh is taken as the solid it encloses or as the surface it is.
+/// Whether a mesh is taken as the solid it encloses or as the surface it is. Of other shapes it follows from the shape:
+/// a ball or a hull is a solid, also with `none`.
 enum class Solid {
   automatic,  ///< closed meshes are solids, open ones surfaces
-  all,        ///< must be a solid: an open mesh is an error
-  none,       ///< a surface
+  all,        ///< must be a solid: an open mesh or a height field is an error
+  none,       ///< a mesh is a surface
 };
 
 /// A named, posed shape. Objects may share one mesh, hull, height field or compound. World units are the scene's.

@@ -105,8 +105,8 @@ class WorldQueries : public ObjectQueries<WorldBodies> {
   /// it is not asked about.
   [[nodiscard]] std::optional<BodyPair> any_contact(const BodyPairs& pairs = {}) const;
   /// The same of pairs that are at most so far apart, decided exactly (`within_distance`). Throws Error when the
-  /// distance is negative or no number.
-  [[nodiscard]] std::optional<BodyPair> any_within(double distance, const BodyPairs& pairs = {}) const;
+  /// greatest distance is negative or no number.
+  [[nodiscard]] std::optional<BodyPair> any_within(double max_distance, const BodyPairs& pairs = {}) const;
   /// The least distance, of several such pairs that of the least (upper, a, b); `lower` is such that the least of all
   /// pairs is not below it. None where no pair is within the greatest distance.
   [[nodiscard]] std::optional<BodyPairAnswer<Distance>> least_distance(const BodyPairs& pairs = {},

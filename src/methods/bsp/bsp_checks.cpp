@@ -34,7 +34,7 @@ void require_no_self_contact(const Model& solid) {
   const std::vector<Contact> contacts = self_contacts(solid);
   if (contacts.empty()) return;
   throw Error(fmt::format("{}, and this one does: {} pairs of triangles, first triangles {} and {}", purpose,
-                          contacts.size(), contacts[0].triangle_a, contacts[0].triangle_b));
+                          contacts.size(), contacts[0].element_a, contacts[0].element_b));
 }
 
 }  // namespace

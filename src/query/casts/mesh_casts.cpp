@@ -8,6 +8,7 @@
 #include "narrow/triangles/separating_normal.hpp"
 #include "query/casts/swept_view.hpp"
 #include "query/distance/mesh_distance.hpp"
+#include "query/keep_least.hpp"
 #include "query/meshes/pair_search.hpp"
 #include "query/meshes/triangles_shape.hpp"
 #include "query/relation/relation_locality.hpp"
@@ -163,11 +164,11 @@ std::optional<ItemPair> items_at_start(const Shape& a, const PosedMesh& b, Searc
 std::optional<ShapeHit> surfaces_at_start(const PosedMesh& a, const PosedMesh& b, SearchScratch& scratch) {
   std::optional<ShapeHit> met;
   visit_surface_contacts(a, b, scratch, [&](const Contact& contact) {
-    const Triangle of_a = a.triangle(contact.triangle_a), of_b = b.triangle(contact.triangle_b);
+    const Triangle of_a = a.triangle(contact.element_a), of_b = b.triangle(contact.element_b);
     met = at_start(intersection_points(contact.intersection, of_a, of_b).points[0]);
     met->normal = separating_normal(of_a, of_b);
     if (met->normal == Vec3{}) met->normal = start_normal(PosedPolytope(of_a), PosedPolytope(of_b));
-    std::tie(met->element_a, met->element_b) = std::tie(contact.triangle_a, contact.triangle_b);
+    std::tie(met->element_a, met->element_b) = std::tie(contact.element_a, contact.element_b);
     std::tie(met->face_a, met->face_b) = std::tie(contact.face_a, contact.face_b);
     return false;
   });
@@ -213,10 +214,7 @@ std::optional<ShapeHit> held_at_start(const PosedHalfSpace&, const PosedTriangle
 }  // namespace
 
 void keep_first(std::optional<ShapeHit>& first, const ShapeHit& found) {
-  const auto rank = [](const ShapeHit& hit) { return std::tie(hit.upper, hit.element_a, hit.element_b); };
-  const double lower = first ? std::min(first->lower, found.lower) : found.lower;
-  if (!first || rank(found) < rank(*first)) first = found;
-  first->lower = lower;
+  keep_least(first, found, [](const ShapeHit& hit) { return std::tie(hit.upper, hit.element_a, hit.element_b); });
 }
 
 template <class A, class B>

@@ -44,8 +44,7 @@ template <PosedConvexSet A, PosedConvexSet B>
 /// is of no interest.
 constexpr double widest_cast = 0x1p-38;
 
-/// Keeps the first by (upper, element of A, element of B), and widens it so that the least of all exact times lies in
-/// it.
+/// keep_least by (upper, element of A, element of B).
 void keep_first(std::optional<ShapeHit>& first, const ShapeHit& found);
 
 }  // namespace toccata

@@ -40,7 +40,7 @@ std::array<bool, 3> telling_corners(const Triangle& own, const std::array<bool, 
 std::vector<Vec3> TriangleCutter::points_of(Index contact, const Triangle& own) const {
   const Contact& c = contacts_[contact];
   const bool is_a = side_ == ContactSide::a;
-  const Triangle other = other_.mesh().triangle(is_a ? c.triangle_b : c.triangle_a);
+  const Triangle other = other_.mesh().triangle(is_a ? c.element_b : c.element_a);
   const IntersectionPoints found = intersection_points(c.intersection, is_a ? own : other, is_a ? other : own);
   return {found.points.begin(), found.points.begin() + found.count};
 }

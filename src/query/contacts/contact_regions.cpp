@@ -58,7 +58,7 @@ class RegionSum {
   RegionSum(const PosedMeshPair& pair, double turn_a, double turn_b) : pair_(pair), turn_a_(turn_a), turn_b_(turn_b) {}
 
   void add(const Contact& contact) {
-    const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
+    const Triangle a = pair_.a.triangle(contact.element_a), b = pair_.b.triangle(contact.element_b);
     const IntersectionPoints found = intersection_points(contact.intersection, a, b);
     const std::span<const Vec3> points(found.points.data(), found.count);
     outline_.points.insert(outline_.points.end(), points.begin(), points.end());
@@ -140,8 +140,8 @@ class Regions {
         contacts_(contacts),
         graph_a_(pair.a),
         graph_b_(pair.b),
-        turn_a_(pair.a_solid ? outward_turn(pair.a, contacts.front().triangle_a) : 1),
-        turn_b_(pair.b_solid ? outward_turn(pair.b, contacts.front().triangle_b) : 1) {
+        turn_a_(pair.a_solid ? outward_turn(pair.a, contacts.front().element_a) : 1),
+        turn_b_(pair.b_solid ? outward_turn(pair.b, contacts.front().element_b) : 1) {
     if (!pair.a_solid || !pair.b_solid) return;
     common_.emplace(CommonPart{SurfaceWithin(graph_a_, pair.b, contacts, ContactSide::a),
                                SurfaceWithin(graph_b_, pair.a, contacts, ContactSide::b),
@@ -218,10 +218,10 @@ class Regions {
     CrossingCurves curves;
     for (const Index i : members.contacts) {
       const Contact& contact = contacts_[i];
-      const Triangle a = pair_.a.triangle(contact.triangle_a), b = pair_.b.triangle(contact.triangle_b);
+      const Triangle a = pair_.a.triangle(contact.element_a), b = pair_.b.triangle(contact.element_b);
       if (!has_area(a) || !has_area(b)) continue;
       const EdgesThrough through = perturbed_edges_through(a, b);
-      if (through.any()) curves.add(graph_a_, contact.triangle_a, graph_b_, contact.triangle_b, through);
+      if (through.any()) curves.add(graph_a_, contact.element_a, graph_b_, contact.element_b, through);
     }
     return curves.count();
   }

@@ -41,7 +41,7 @@ template <std::same_as<Contact> C>
 Manifold manifold(const Model& a, const Model& b, const C& contact, const PairQuery& query) {
   SearchScratch scratch;
   const PosedModelPair models(a, b, query, scratch);
-  return manifold_of(posed_element(models.a, contact.triangle_a), posed_element(models.b, contact.triangle_b), scratch);
+  return manifold_of(posed_element(models.a, contact.element_a), posed_element(models.b, contact.element_b), scratch);
 }
 
 template Manifold manifold(const Model&, const Model&, const Contact&, const PairQuery&);

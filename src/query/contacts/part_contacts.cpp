@@ -52,7 +52,7 @@ struct AskContacts {
     const PartContacts contacts = each_of(a.mesh, triangles_intersecting(a.mesh, b, scratch));
     if (is_triangle(b))
       for (Contact& contact : contacts.all)
-        contact.intersection = intersect(a.mesh.triangle(contact.triangle_a), world_triangle_of(b));
+        contact.intersection = intersect(a.mesh.triangle(contact.element_a), world_triangle_of(b));
     return contacts;
   }
   PartContacts operator()(const PosedTriangles& a, const PosedHalfSpace& b) const {
@@ -80,8 +80,8 @@ struct AskContacts {
 
 void append(std::vector<Contact>& to, const PartContacts& from, const PosedPart& a, const PosedPart& b) {
   for (Contact contact : from.all) {
-    contact.triangle_a += a.first_element;
-    contact.triangle_b += b.first_element;
+    contact.element_a += a.first_element;
+    contact.element_b += b.first_element;
     contact.face_a += a.first_face;
     contact.face_b += b.first_face;
     to.push_back(contact);
@@ -100,7 +100,7 @@ std::span<const Contact> contacts_of(const PosedModel& a, const PosedModel& b, S
     append(all, ask(AskContacts{scratch, threads}, part_a, part_b), part_a, part_b);
   }
   std::sort(all.begin(), all.end(), [](const Contact& c, const Contact& d) {
-    return c.triangle_a != d.triangle_a ? c.triangle_a < d.triangle_a : c.triangle_b < d.triangle_b;
+    return c.element_a != d.element_a ? c.element_a < d.element_a : c.element_b < d.element_b;
   });
   return all;
 }

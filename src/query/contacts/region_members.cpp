@@ -17,8 +17,8 @@ namespace {
 void unite_neighbours(std::span<const Contact> contacts, VertexGraph& a, VertexGraph& b, UnionFind& sets) {
   std::vector<std::array<Index, 3>> uses;  // a vertex of A, a vertex of B, a contact
   for (Index i = 0; i < contacts.size(); ++i)
-    for (const Index p : a.corners(contacts[i].triangle_a))
-      for (const Index q : b.corners(contacts[i].triangle_b)) uses.push_back({p, q, i});
+    for (const Index p : a.corners(contacts[i].element_a))
+      for (const Index q : b.corners(contacts[i].element_b)) uses.push_back({p, q, i});
   std::sort(uses.begin(), uses.end());
   for (std::size_t k = 1; k < uses.size(); ++k)
     if (uses[k][0] == uses[k - 1][0] && uses[k][1] == uses[k - 1][1]) sets.unite(uses[k][2], uses[k - 1][2]);

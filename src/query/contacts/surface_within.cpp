@@ -43,7 +43,7 @@ std::vector<Index> VertexGraph::triangles_at(Index vertex) const {
 }
 
 Index triangle_of(const Contact& contact, ContactSide side) {
-  return side == ContactSide::a ? contact.triangle_a : contact.triangle_b;
+  return side == ContactSide::a ? contact.element_a : contact.element_b;
 }
 
 const Feature& feature_of(const IntersectionPoint& point, ContactSide side) {

@@ -1,17 +1,15 @@
 #include "toccata/query/distance.hpp"
 
-#include <fmt/format.h>
-
+#include "core/require_length.hpp"
 #include "query/distance/nearby.hpp"
-#include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
 
 /// −0 is 0.
-double checked(double length, const char* name) {
-  if (!(length >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, length));
-  return length + 0.0;
+double checked(double max_distance) {
+  require_length(max_distance, "the greatest distance");
+  return max_distance + 0.0;
 }
 
 }  // namespace
@@ -25,23 +23,24 @@ Distance distance(const Model& a, const Model& b, const PairQuery& query, Worksp
   return nearby(a, b, {}, query, workspace)->distance;
 }
 
-bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query) {
+bool within_distance(const Model& a, const Model& b, double max_distance, const PairQuery& query) {
   Workspace workspace;
-  return within_distance(a, b, tolerance, query, workspace);
+  return within_distance(a, b, max_distance, query, workspace);
 }
 
-bool within_distance(const Model& a, const Model& b, double tolerance, const PairQuery& query, Workspace& workspace) {
-  return nearby(a, b, WantedDistance::within(checked(tolerance, "tolerance")), query, workspace).has_value();
+bool within_distance(const Model& a, const Model& b, double max_distance, const PairQuery& query,
+                     Workspace& workspace) {
+  return nearby(a, b, WantedDistance::within(checked(max_distance)), query, workspace).has_value();
 }
 
-std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query) {
+std::optional<Distance> distance_within(const Model& a, const Model& b, double max_distance, const PairQuery& query) {
   Workspace workspace;
-  return distance_within(a, b, limit, query, workspace);
+  return distance_within(a, b, max_distance, query, workspace);
 }
 
-std::optional<Distance> distance_within(const Model& a, const Model& b, double limit, const PairQuery& query,
+std::optional<Distance> distance_within(const Model& a, const Model& b, double max_distance, const PairQuery& query,
                                         Workspace& workspace) {
-  const auto found = nearby(a, b, {.limit = checked(limit, "limit")}, query, workspace);
+  const auto found = nearby(a, b, {.limit = checked(max_distance)}, query, workspace);
   return found && found->is_within ? std::optional(found->distance) : std::nullopt;
 }
 

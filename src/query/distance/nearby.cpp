@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -71,6 +72,9 @@ class NearestParts {
 
  private:
   using Parts = std::pair<const PosedPart*, const PosedPart*>;
+  struct Kept : Distance {
+    Parts parts;
+  };
 
   [[nodiscard]] bool is_enough() const { return least_ && least_->upper <= std::max(wanted_.enough, 0.0); }
 
@@ -85,17 +89,12 @@ class NearestParts {
   }
 
   void keep(const Distance& found, const Parts& parts) {
-    std::optional<Distance> first = found;
-    const bool is_earlier = least_ && found.upper == least_->upper && parts < parts_;
-    if (!least_ || found.upper < least_->upper || is_earlier) parts_ = parts;
-    if (is_earlier) std::swap(first, least_);
-    keep_least(least_, *first);
+    keep_least(least_, {found, parts}, [](const Kept& kept) { return std::tie(kept.upper, kept.parts); });
   }
 
   WantedDistance wanted_;
   SearchScratch& scratch_;
-  std::optional<Distance> least_;
-  Parts parts_{};
+  std::optional<Kept> least_;
   bool is_within_ = false;
 };
 

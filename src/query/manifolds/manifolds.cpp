@@ -52,8 +52,8 @@ class ManifoldsOfContacts {
   }
 
   void add(const Contact& contact) {
-    const ContactElement& a = element(last_a_, a_, contact.triangle_a);
-    const ContactElement& b = element(last_b_, b_, contact.triangle_b);
+    const ContactElement& a = element(last_a_, a_, contact.element_a);
+    const ContactElement& b = element(last_b_, b_, contact.element_b);
     if (is_part_without_end(a.part()) || is_part_without_end(b.part())) return add_over_half_space(a, b);
     const Manifold manifold = limited_manifold(a, b, scratch_);
     if (manifold.count > 0) merged_.add(manifold, a.number(), b.number());
@@ -64,15 +64,15 @@ class ManifoldsOfContacts {
     LoneContact least;
     Contact of;
     for (const Contact& contact : contacts) {
-      const ContactElement& a = element(last_a_, a_, contact.triangle_a);
-      const ContactElement& b = element(last_b_, b_, contact.triangle_b);
+      const ContactElement& a = element(last_a_, a_, contact.element_a);
+      const ContactElement& b = element(last_b_, b_, contact.element_b);
       if (is_part_without_end(a.part()) && is_part_without_end(b.part())) continue;
       const LoneContact lone = lone_contact(a, b, scratch_);
       if (lone.manifold.count == 0 || (least.manifold.count > 0 && lone.depth >= least.depth)) continue;
       least = lone;
       of = contact;
     }
-    if (least.manifold.count > 0) merged_.add(least.manifold, of.triangle_a, of.triangle_b);
+    if (least.manifold.count > 0) merged_.add(least.manifold, of.element_a, of.element_b);
   }
 
   /// Whose normal is that of the contact.

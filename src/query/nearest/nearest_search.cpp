@@ -1,11 +1,10 @@
 #include "query/nearest/nearest_search.hpp"
 
-#include <fmt/format.h>
-
 #include <string_view>
 #include <utility>
 #include <variant>
 
+#include "core/require_length.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
 #include "toccata/narrow/quadrics.hpp"
@@ -14,10 +13,6 @@ namespace toccata {
 namespace {
 
 constexpr std::string_view name_of_surface = "the surface";
-
-void require_distance(double max_distance) {
-  if (!(max_distance >= 0)) throw Error(fmt::format("the greatest distance is {}; give 0 or more", max_distance));
-}
 
 void require_point(const Vec3& point) {
   if (!is_finite(point)) throw Error("the point is not finite");
@@ -43,7 +38,7 @@ SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
 
 SurfacePoint nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query, SearchScratch& scratch) {
   const auto ask = [&](const SurfaceTarget& target) {
-    require_distance(query.max_distance);
+    require_length(query.max_distance, "the greatest distance");
     require_point(point);
     scratch.counts = {};
     NearestElements nearest(1, query.max_distance, scratch.surface_points);
@@ -59,7 +54,7 @@ NearestSearch::NearestSearch(const Model& surface, const NearestQuery& query, st
                              std::vector<PosedPart> memory)
     : posed_(pose_model(surface, query.pose, Solid::none, name_of_surface, std::move(memory))),
       max_distance_(query.max_distance) {
-  require_distance(max_distance_);
+  require_length(max_distance_, "the greatest distance");
   for (const PosedPart& part : posed_.parts) {
     if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape))
       meshes_.emplace_back(triangles->mesh, part.first_element, part.first_face, points);

@@ -103,7 +103,7 @@ std::vector<SurfaceIntersection> intersections_with_shape(const Model& a, const 
   std::vector<SurfaceIntersection> intersections;
   const std::size_t stride = 1 + found.size() / most;
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
-    const Index element = found[i].triangle_a;
+    const Index element = found[i].element_a;
     const Distance at = distance(PosedPolytope(world_triangle(a, query.pose_a, element)), shape);
     intersections.push_back({at.on_a, normal_at(a, query.pose_a, element), {}});
   }
@@ -125,12 +125,12 @@ std::vector<SurfaceIntersection> some_intersections(const Model& a, const Model&
   for (std::size_t i = stride / 2; i < found.size(); i += stride) {
     const Contact& contact = found[i];
     const IntersectionPoints points =
-        intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.triangle_a),
-                            world_triangle(b, query.pose_b, contact.triangle_b));
+        intersection_points(contact.intersection, world_triangle(a, query.pose_a, contact.element_a),
+                            world_triangle(b, query.pose_b, contact.element_b));
     Vec3 middle;
     for (std::size_t k = 0; k < points.count; ++k) middle = middle + points.points[k];
-    intersections.push_back({(1.0 / points.count) * middle, normal_at(a, query.pose_a, contact.triangle_a),
-                             normal_at(b, query.pose_b, contact.triangle_b)});
+    intersections.push_back({(1.0 / points.count) * middle, normal_at(a, query.pose_a, contact.element_a),
+                             normal_at(b, query.pose_b, contact.element_b)});
   }
   return intersections;
 }

@@ -40,10 +40,10 @@ FirstLook look_at_contacts(const SolidPair& pair, VisitContacts visit) {
   IndexSet of_a(pair.a.model().mesh().triangle_count()), of_b(pair.b.model().mesh().triangle_count());
   int samples = 0;
   visit([&](const Contact& contact) {
-    of_a.add(contact.triangle_a);
-    of_b.add(contact.triangle_b);
+    of_a.add(contact.element_a);
+    of_b.add(contact.element_b);
     if (!contact.intersection.crossing || ++samples > most_pair_samples) return true;
-    const Triangle a = pair.a.triangle(contact.triangle_a), b = pair.b.triangle(contact.triangle_b);
+    const Triangle a = pair.a.triangle(contact.element_a), b = pair.b.triangle(contact.element_b);
     look.seen = look.seen | sample_quadrants(pair, a, b, contact.intersection);
     if (!look.seen.all()) look.seen = look.seen | sample(pair, a, b);
     if (!look.seen.all()) look.seen = look.seen | sample(pair, b, a);

@@ -85,7 +85,7 @@ class SurfaceLook {
       return !interior_seen_;
     });
     std::sort(contacts_.begin(), contacts_.end(),
-              [](const Contact& c, const Contact& d) { return c.triangle_b < d.triangle_b; });
+              [](const Contact& c, const Contact& d) { return c.element_b < d.element_b; });
   }
 
   Relation relation() const {
@@ -110,13 +110,13 @@ class SurfaceLook {
   bool sample_at(const Contact& contact) {
     if (!contact.intersection.crossing || samples_ >= most_triangle_samples) return false;
     ++samples_;
-    const Triangle t = surface_.triangle(contact.triangle_b), cut = solid_.triangle(contact.triangle_a);
+    const Triangle t = surface_.triangle(contact.element_b), cut = solid_.triangle(contact.element_a);
     return has_area(t) && cells_reach_interior(solid_, t, std::span(&cut, 1), false);
   }
 
   bool contacts_reach_interior() const {
     for (std::size_t first = 0, last = 0; first < contacts_.size(); first = last) {
-      while (last < contacts_.size() && contacts_[last].triangle_b == contacts_[first].triangle_b) ++last;
+      while (last < contacts_.size() && contacts_[last].element_b == contacts_[first].element_b) ++last;
       if (reaches_interior(std::span(contacts_).subspan(first, last - first))) return true;
     }
     return false;
@@ -124,14 +124,14 @@ class SurfaceLook {
 
   /// Whether one triangle of the surface reaches the solid's interior, by its contacts with all that it meets.
   bool reaches_interior(std::span<const Contact> contacts) const {
-    const Triangle t = surface_.triangle(contacts.front().triangle_b);
+    const Triangle t = surface_.triangle(contacts.front().element_b);
     const bool area = has_area(t);
     std::vector<Triangle> cuts;
     for (const Contact& contact : contacts) {
       const bool cuts_face = contact.intersection.on_b.kind == FeatureKind::face &&
                              contact.intersection.kind != IntersectionKind::point &&
-                             has_area(solid_.triangle(contact.triangle_a));
-      if (!area || cuts_face) cuts.push_back(solid_.triangle(contact.triangle_a));
+                             has_area(solid_.triangle(contact.element_a));
+      if (!area || cuts_face) cuts.push_back(solid_.triangle(contact.element_a));
     }
     return area ? cells_reach_interior(solid_, t, cuts, true) : segment_reaches_interior(solid_, t, cuts);
   }
@@ -139,7 +139,7 @@ class SurfaceLook {
   /// The triangles of a part of which some meet the solid and none reaches its interior are outside.
   PartsInside parts_off_the_faces() const {
     std::vector<Index> with_contacts;
-    for (const Contact& contact : contacts_) with_contacts.push_back(contact.triangle_b);
+    for (const Contact& contact : contacts_) with_contacts.push_back(contact.element_b);
     PartsInside inside;
     for (const Index part : parts_without(surface_, with_contacts)) {
       const Index first = surface_.model().mesh_parts().first_triangle[part];

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/require_length.hpp"
 #include "math/vec3_measures.hpp"
 #include "query/contacts/local_depth_limit.hpp"
 #include "query/contacts/part_contacts.hpp"
@@ -343,7 +344,7 @@ class Check {
     const auto is_half_space = [](const PosedPart& part) { return std::holds_alternative<PosedHalfSpace>(part.shape); };
     std::vector<ContactManifold> manifolds;
     for (const Contact& contact : contacts) {
-      const PosedPart part_a = posed_element(a, contact.triangle_a), part_b = posed_element(b, contact.triangle_b);
+      const PosedPart part_a = posed_element(a, contact.element_a), part_b = posed_element(b, contact.element_b);
       if (is_half_space(part_a) && is_half_space(part_b)) continue;
       scratch.convex = {};  // it was another pair's
       manifolds.push_back({contact, manifold_of(part_a, part_b, scratch)});
@@ -373,8 +374,7 @@ CheckAnswer check_all(std::span<const SceneInstance> models, const CheckOptions&
 WantedAnswer check_wanted(std::span<const SceneInstance> models, const CheckOptions& options,
                           const CheckPairRules& rules, const CheckWatch& watch) {
   require_usable(options.depth);
-  if (options.tolerance && !(*options.tolerance >= 0))
-    throw Error(fmt::format("the tolerance is {}; it has to be a length of 0 or more", *options.tolerance));
+  if (options.tolerance) require_length(*options.tolerance, "the tolerance");
   return Check(models, options, rules, watch).answer();
 }
 

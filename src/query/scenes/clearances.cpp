@@ -4,14 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "core/require_length.hpp"
 #include "toccata/core/error.hpp"
 
 namespace toccata {
 namespace {
-
-void require_length(double clearance) {
-  if (!(clearance >= 0)) throw Error(fmt::format("a clearance is {}; it has to be a length of 0 or more", clearance));
-}
 
 std::string names_of(const NamedModels& models, const PairClearance& pair) {
   const auto [first, second] = std::minmax(pair.a, pair.b);
@@ -38,9 +35,9 @@ Clearances::Clearances(const NamedModels& models, const CheckOptions& options, c
     : is_asked_(options.clearance || !options.pair_clearances.empty() || rules.of_pair),
       common_(options.clearance.value_or(0)),
       rules_(&rules) {
-  require_length(common_);
+  require_length(common_, "a clearance");
   for (const PairClearance& pair : options.pair_clearances) {
-    require_length(pair.clearance);
+    require_length(pair.clearance, "a clearance");
     require_checked_pair(models, pair);
     const auto [place, is_new] = of_pair_.emplace(std::minmax(pair.a, pair.b), pair.clearance);
     if (!is_new && place->second != pair.clearance)

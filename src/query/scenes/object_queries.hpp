@@ -100,11 +100,11 @@ auto ObjectQueries<Objects>::nearest(const SceneInstance& shape, double max_dist
 }
 
 template <class Objects>
-auto ObjectQueries<Objects>::within(const SceneInstance& shape, double distance, const Filter& filter) const
+auto ObjectQueries<Objects>::within(const SceneInstance& shape, double max_distance, const Filter& filter) const
     -> std::vector<Id> {
   Workspace workspace;
   return ask_objects(objects_, boxes_, filter, [&](const SearchedObjects& objects) {
-    return objects_within(objects, shape, distance, workspace);
+    return objects_within(objects, shape, max_distance, workspace);
   });
 }
 
@@ -149,11 +149,12 @@ auto ObjectQueries<Objects>::nearest_each(std::span<const SceneInstance> shapes,
 }
 
 template <class Objects>
-auto ObjectQueries<Objects>::within_each(std::span<const SceneInstance> shapes, double distance, const Filter& filter,
-                                         const BatchOptions& options) const -> std::vector<std::vector<Id>> {
+auto ObjectQueries<Objects>::within_each(std::span<const SceneInstance> shapes, double max_distance,
+                                         const Filter& filter, const BatchOptions& options) const
+    -> std::vector<std::vector<Id>> {
   return ask_objects(objects_, boxes_, filter, [&](const SearchedObjects& objects) {
     return ask_each(shapes, "shape", options, [&](const SceneInstance& shape, Workspace& workspace) {
-      return objects_within(objects, shape, distance, workspace);
+      return objects_within(objects, shape, max_distance, workspace);
     });
   });
 }

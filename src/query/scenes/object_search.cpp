@@ -1,14 +1,12 @@
 #include "query/scenes/object_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
-#include "math/constants.hpp"
+#include "core/require_length.hpp"
 #include "query/casts/cast_until.hpp"
 #include "query/casts/mesh_casts.hpp"
+#include "query/keep_least.hpp"
 #include "query/posed_shape.hpp"
 #include "query/search_scratch.hpp"
 #include "toccata/core/error.hpp"
@@ -19,24 +17,14 @@
 namespace toccata {
 namespace {
 
-/// Keeps the first by (upper, object), and widens it so that the least of all exact numbers lies in it.
 template <class Found>
 void keep_first(std::optional<Found>& first, const Found& found) {
-  const double lower = first ? std::min(first->lower, found.lower) : found.lower;
-  if (!first || std::tie(found.upper, found.object) < std::tie(first->upper, first->object)) first = found;
-  first->lower = lower;
+  keep_least(first, found, [](const Found& answer) { return std::tie(answer.upper, answer.object); });
 }
 
 /// Whose interval begins later than that is of no interest: neither can it be the first, nor does it widen that.
 double last_time(const std::optional<ObjectAnswer<RayHit>>& first) { return first ? first->upper + widest_cast : 1; }
 double last_time(const std::optional<ObjectAnswer<ShapeHit>>& first) { return first ? first->upper + widest_cast : 1; }
-
-/// The same of distances, whose intervals are as wide as 10⁻¹² of them, or as two doubles are apart.
-double last_distance(const std::optional<ObjectAnswer<Distance>>& nearest, double max_distance) {
-  if (!nearest || nearest->upper == 0) return nearest ? 0 : max_distance;
-  const double next = std::nextafter(nearest->upper * (1 + 0x1p-38), infinity);
-  return std::min(next, max_distance);
-}
 
 /// Where something is met at the start nothing is earlier: only one of lesser number could take its place.
 template <class Found>
@@ -85,10 +73,6 @@ ObjectAnswer<RayHit> hit_of(const SearchedObjects& objects, Index object, const 
   return ask_about(object, objects, [&](const InstanceView& at) {
     return ObjectAnswer<RayHit>{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
   });
-}
-
-void require_length(double length, const char* name) {
-  if (!(length >= 0)) throw Error(fmt::format("{} is {}; it has to be a length of 0 or more", name, length));
 }
 
 }  // namespace
@@ -185,18 +169,18 @@ std::optional<ObjectAnswer<Distance>> nearest_object(const SearchedObjects& obje
   return nearest;
 }
 
-std::vector<Index> objects_within(const SearchedObjects& objects, const SceneInstance& shape, double distance,
+std::vector<Index> objects_within(const SearchedObjects& objects, const SceneInstance& shape, double max_distance,
                                   Workspace& workspace) {
-  require_length(distance, "the distance");
+  require_length(max_distance, "the greatest distance");
   const AskedShape asked(shape, objects, workspace);
   std::vector<Index> found;
   if (is_empty(asked.box())) return found;
-  objects.tree.visit_nearest(asked.box(), distance, [&](Index object) {
+  objects.tree.visit_nearest(asked.box(), max_distance, [&](Index object) {
     const auto is_near = [&](const Model& a, const Model& b, const PairQuery& query, Workspace& memory) {
-      return within_distance(a, b, distance, query, memory);
+      return within_distance(a, b, max_distance, query, memory);
     };
     if (objects.accepts(object) && asked.with(object, is_near)) found.push_back(object);
-    return distance;
+    return max_distance;
   });
   std::sort(found.begin(), found.end());
   return found;

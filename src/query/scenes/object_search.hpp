@@ -46,6 +46,6 @@ auto ask_about(Index object, const SearchedObjects& objects, const Ask& ask) {
                                                                    const SceneInstance& shape, double max_distance,
                                                                    Workspace& workspace);
 [[nodiscard]] std::vector<Index> objects_within(const SearchedObjects& objects, const SceneInstance& shape,
-                                                double distance, Workspace& workspace);
+                                                double max_distance, Workspace& workspace);
 
 }  // namespace toccata

@@ -85,10 +85,10 @@ CrossedSurfaces::CrossedSurfaces(const PosedMesh& first_mesh, const PosedMesh& s
     : first(first_mesh, second_mesh, VolumeSide::first, in_contact_of(first_mesh, contacts, ContactSide::a)),
       second(second_mesh, first_mesh, VolumeSide::second, in_contact_of(second_mesh, contacts, ContactSide::b)) {
   for (const Contact& contact : contacts) {
-    const Triangle a = first.triangle(contact.triangle_a), b = second.triangle(contact.triangle_b);
+    const Triangle a = first.triangle(contact.element_a), b = second.triangle(contact.element_b);
     if (!has_area(a) || !has_area(b)) continue;
     const EdgesThrough through = perturbed_edges_through(a, b);
-    if (through.any()) pairs.push_back({contact.triangle_a, contact.triangle_b, through});
+    if (through.any()) pairs.push_back({contact.element_a, contact.element_b, through});
   }
 }
 

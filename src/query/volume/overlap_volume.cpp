@@ -188,7 +188,7 @@ class CommonParts {
       volume.upper += piece.volume.upper;
     }
     if (pieces_.size() > 1) {
-      volume.upper = std::nextafter(volume.upper * (1 + 0x1p-40), infinity);
+      volume.upper = std::nextafter(volume.upper * (1 + sum_rounding()), infinity);
       if (are_apart()) volume.lower = sum_of_lowers();
     }
     if (pieces_.size() == 1) {
@@ -231,10 +231,13 @@ class CommonParts {
   /// No two pieces have an interior in common.
   [[nodiscard]] bool are_apart() { return are_separate(a_, scratch_) && are_separate(b_, scratch_); }
 
+  /// Twice what a sum of a number of each piece may be rounded by, as a share of it.
+  [[nodiscard]] double sum_rounding() const { return 0x1p-52 * static_cast<double>(pieces_.size()); }
+
   [[nodiscard]] double sum_of_lowers() const {
     double sum = 0;
     for (const CommonPiece& piece : pieces_) sum += piece.volume.lower;
-    return std::max(0.0, std::nextafter(sum * (1 - 0x1p-40), 0));
+    return std::max(0.0, std::nextafter(sum * (1 - sum_rounding()), 0));
   }
 
   std::vector<EnclosedPart> a_;

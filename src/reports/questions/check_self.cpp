@@ -19,7 +19,7 @@ namespace {
 std::vector<Contact> lesser_face_first(std::vector<Contact> contacts) {
   for (Contact& contact : contacts)
     if (contact.face_b < contact.face_a)
-      contact = {contact.triangle_b, contact.triangle_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
+      contact = {contact.element_b, contact.element_a, contact.face_b, contact.face_a, flipped(contact.intersection)};
   return contacts;
 }
 
