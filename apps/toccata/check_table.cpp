@@ -67,13 +67,13 @@ std::string volume_line(const ReportedPair& pair) {
 /// What it was in the measure by which it has grown since.
 std::string before_growth(const ReportedPair& pair) {
   switch (pair.growth) {
-    case Growth::penetration:
+    case ClashGrowth::penetration:
       return depth_text(pair.was->penetration->lower, pair.was->penetration->upper);
-    case Growth::local_depth:
+    case ClashGrowth::local_depth:
       return depth_text(pair.was->local_depth->lower, pair.was->local_depth->upper) + " in one place";
-    case Growth::volume:
+    case ClashGrowth::volume:
       return "volume " + volume_text(*pair.was->volume);
-    case Growth::none:
+    case ClashGrowth::none:
       break;
   }
   return {};
@@ -82,7 +82,7 @@ std::string before_growth(const ReportedPair& pair) {
 /// How it stands against the baseline, with the relation of then where that was another, or how large it was.
 std::string since_and_before(const ReportedPair& pair, const std::string& verb) {
   const std::string since = since_text(pair);
-  if (pair.growth != Growth::none) return since + " (before: " + before_growth(pair) + ")";
+  if (pair.growth != ClashGrowth::none) return since + " (before: " + before_growth(pair) + ")";
   const std::string before = pair.was ? former_verb(*pair.was) : verb;
   return before == verb ? since : since + " (before: " + before + ")";
 }

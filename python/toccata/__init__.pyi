@@ -826,14 +826,14 @@ def distance(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None,
     in three-dimensional space", 1988; that the interval holds is proved. Raises Error like overlap.
     """
 
-def within_distance(a: Shape, b: Shape, tolerance: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> bool:
+def within_distance(a: Shape, b: Shape, max_distance: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> bool:
     """
-    Is the exact distance at most the tolerance, in the unit of the coordinates? Decided exactly, and for less than the distance costs. Raises Error like overlap, and for a negative tolerance.
+    Is the exact distance at most the greatest one, in the unit of the coordinates? Decided exactly, and for less than the distance costs. Raises Error like overlap, and for a negative one.
     """
 
-def distance_within(a: Shape, b: Shape, limit: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance | None:
+def distance_within(a: Shape, b: Shape, max_distance: float, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Distance | None:
     """
-    What distance answers where it is at most the limit, in the unit of the coordinates, else None, which is found out without it. Raises Error like overlap, and for a negative limit.
+    What distance answers where it is at most the greatest one, in the unit of the coordinates, else None, which is found out without it. Raises Error like overlap, and for a negative one.
     """
 
 def penetration(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> Penetration:
@@ -880,9 +880,9 @@ def distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, 
     distance for many poses, in shapes as overlap_each takes them, on all cores: a structured array with the members of Distance, in the unit of the coordinates. Raises Error like overlap_each.
     """
 
-def within_distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, tolerance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
+def within_distance_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, max_distance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
     """
-    within_distance for many poses, in shapes as overlap_each takes them, on all cores: a bool for each. The tolerance is in the unit of the coordinates. Raises Error like overlap_each, and for a negative tolerance.
+    within_distance for many poses, in shapes as overlap_each takes them, on all cores: a bool for each. The greatest distance is in the unit of the coordinates. Raises Error like overlap_each, and for a negative one.
     """
 
 def penetration_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
@@ -1567,7 +1567,7 @@ class SceneIndex:
         overlapping, and how: the shape is A. A structured array with the members of Relation and which it is, in any unit. Raises Error like overlap.
         """
 
-    def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
+    def within(self, shape: Shape, max_distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Indices:
         """
         Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. Decided exactly. Raises Error like within_distance.
         """
@@ -1577,7 +1577,7 @@ class SceneIndex:
         overlapping of one shape or N, at one pose or N, on all cores: one structured array of all that was found, in order, whose field query says of which question a row is. In any unit. Raises Error like overlap, naming the query.
         """
 
-    def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+    def within_each(self, shapes: toccata._typing.ShapesLike, max_distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
         within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array as that of overlapping_each. Raises Error like within_distance, naming the query.
         """
@@ -1855,11 +1855,11 @@ class Contact:
     """Two elements, one of each shape, that have a point in common."""
 
     @property
-    def triangle_a(self) -> int:
+    def element_a(self) -> int:
         """The element of A, of a mesh the triangle."""
 
     @property
-    def triangle_b(self) -> int:
+    def element_b(self) -> int:
         """The element of B."""
 
     @property
@@ -2036,7 +2036,7 @@ def first_contact(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = 
     The least of contacts, without the others; None where there is none. In any unit. Raises Error like overlap.
     """
 
-def distance_within_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, limit: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
+def distance_within_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, max_distance: float, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
     distance_within of many, in shapes as overlap_each takes them, on all cores: a structured array with the members of Distance, and found; in the unit of the coordinates. Raises Error like distance_within, naming the query.
     """
@@ -2861,7 +2861,7 @@ class World:
         The least pair of bodies that have a point in common where they are now, by their indices, of those that make pairs; None is proved. Margins do not matter. Needs no step.
         """
 
-    def any_within(self, distance: float) -> tuple[BodyId, BodyId] | None:
+    def any_within(self, max_distance: float) -> tuple[BodyId, BodyId] | None:
         """
         any_contact of pairs that are at most so far apart, in the unit of the coordinates, decided exactly. Raises Error for what is no length.
         """
@@ -2937,7 +2937,7 @@ class World:
         overlapping, and how: the shape is A. A structured array with the members of Relation and which it is, in any unit. Raises Error like overlap.
         """
 
-    def within(self, shape: Shape, distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
+    def within(self, shape: Shape, max_distance: float, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None) -> toccata._typing.Answers:
         """
         Which of them are at most so far from the shape at its pose, in the unit of the coordinates, ascending. Decided exactly. Raises Error like within_distance.
         """
@@ -2947,7 +2947,7 @@ class World:
         overlapping of one shape or N, at one pose or N, on all cores: one structured array of all that was found, in order, whose field query says of which question a row is. In any unit. Raises Error like overlap, naming the query.
         """
 
-    def within_each(self, shapes: toccata._typing.ShapesLike, distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
+    def within_each(self, shapes: toccata._typing.ShapesLike, max_distance: float, poses: toccata._typing.PosesLike | None = None, *, solid: Solid = Solid.automatic, only: object | None = None, threads: int = 0) -> toccata._typing.Answers:
         """
         within of one shape or N, at one pose or N, on all cores, in the unit of the coordinates: a structured array as that of overlapping_each. Raises Error like within_distance, naming the query.
         """

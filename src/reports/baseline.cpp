@@ -64,10 +64,10 @@ bool is_larger(const std::optional<Now>& now, const std::optional<Then>& then, d
   return now && then && now->lower > then->upper + std::max(tolerance, hundredth * then->upper);
 }
 
-Growth growth_of(const ReportedPair& pair, const FormerPair& was, double tolerance) {
-  if (is_larger(pair.penetration, was.penetration, tolerance)) return Growth::penetration;
-  if (is_larger(pair.local_depth, was.local_depth, tolerance)) return Growth::local_depth;
-  return is_larger(pair.volume, was.volume, 0) ? Growth::volume : Growth::none;
+ClashGrowth growth_of(const ReportedPair& pair, const FormerPair& was, double tolerance) {
+  if (is_larger(pair.penetration, was.penetration, tolerance)) return ClashGrowth::penetration;
+  if (is_larger(pair.local_depth, was.local_depth, tolerance)) return ClashGrowth::local_depth;
+  return is_larger(pair.volume, was.volume, 0) ? ClashGrowth::volume : ClashGrowth::none;
 }
 
 /// The pairs of a report. Where it told how far apart all are, those that are apart and have no clearance of their own

@@ -119,7 +119,7 @@ Since since_baseline(const ReportedPair& pair) {
   const bool was_within = pair.was->within_tolerance && pair.tolerance != ToleranceVerdict::none;
   const int now = gravity_of(pair.relation.kind, pair.tolerance == ToleranceVerdict::within),
             then = gravity_of(pair.was->kind, was_within);
-  if (now > then || pair.growth != Growth::none) return Since::graver;
+  if (now > then || pair.growth != ClashGrowth::none) return Since::graver;
   return pair.moved_by ? Since::moved : Since::known;
 }
 

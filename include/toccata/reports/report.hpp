@@ -70,7 +70,7 @@ struct FormerObject {
 
 /// By what an overlap is certainly larger than it was: the least of now is more than the most of then, by more than a
 /// hundredth of it, and of a depth by more than the pair's tolerance.
-enum class Growth { none, penetration, local_depth, volume };
+enum class ClashGrowth { none, penetration, local_depth, volume };
 
 using ClashKind = PairAnswer::Kind;
 using ClashPiercing = PairAnswer::Piercing;
@@ -86,12 +86,12 @@ struct ReportedPair {
   std::optional<Manifold> manifold;
   std::vector<ContactManifold> manifolds;
   std::vector<ContactRegion> regions;
-  std::optional<Distance> distance;      ///< filled when the answer has distances
-  double clearance = 0;                  ///< as in PairAnswer
-  std::optional<FormerPair> was{};       ///< in the baseline, where there is one and the pair is in it; a and b as here
-  Growth growth = Growth::none;          ///< since the baseline
-  std::optional<double> moved_by{};      ///< how far one of the two has moved as seen from the other, where it has
-  ClashKind kind = ClashKind::touching;  ///< as in PairAnswer, and so the following
+  std::optional<Distance> distance;  ///< filled when the answer has distances
+  double clearance = 0;              ///< as in PairAnswer
+  std::optional<FormerPair> was{};   ///< in the baseline, where there is one and the pair is in it; a and b as here
+  ClashGrowth growth = ClashGrowth::none;  ///< since the baseline
+  std::optional<double> moved_by{};        ///< how far one of the two has moved as seen from the other, where it has
+  ClashKind kind = ClashKind::touching;    ///< as in PairAnswer, and so the following
   ClashPiercing piercing = ClashPiercing::none;
   ToleranceVerdict tolerance = ToleranceVerdict::none;
   std::optional<ContactRegion::Depth> local_depth{};

@@ -117,7 +117,7 @@ void add_verdict(io::Json& line, const ReportedPair& pair) {
 /// How a pair stands against the baseline; with what it was, where that was something else, and how far it has moved.
 void add_since(io::Json& line, const ReportedPair& pair) {
   line["baseline"] = name_of(since_baseline(pair));
-  if (pair.was && (pair.growth != Growth::none || pair.was->kind != pair.relation.kind ||
+  if (pair.was && (pair.growth != ClashGrowth::none || pair.was->kind != pair.relation.kind ||
                    pair.was->containment != pair.relation.containment)) {
     line["was"] = {{"relation", name_of(pair.was->kind)}, {"containment", name_of(pair.was->containment)}};
     line["was"].update(io::json_of_extent(*pair.was));
