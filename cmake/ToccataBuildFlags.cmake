@@ -22,7 +22,8 @@ toccata_flags(toccata_test_flags ON)
 
 # These options are those of the folder, and so stand in front of a target's own options, so that these may take checks back.
 if(TOCCATA_SANITIZE)
-  add_compile_options(-fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # The assertions find what sanitizers do not: the value of an optional that has none.
+  add_compile_options(-fsanitize=${TOCCATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
   add_link_options(-fsanitize=${TOCCATA_SANITIZE})
   # As g++ tells the sources; clang 14 does not.
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
@@ -38,7 +39,7 @@ endif()
 # toccata_sanitize(TARGET): this target alone, under the address sanitizer and those checks of undefined behaviour that do
 # not double the time of its compilation. What watches the life of each variable takes a third of it. The others are left to
 # the preset asan-ubsan, but for files that are compiled for every SIMD level.
-set(TOCCATA_QUICK_CHECKS -fsanitize=address,undefined -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr -fno-sanitize-address-use-after-scope -fno-sanitize-recover=all)
+set(TOCCATA_QUICK_CHECKS -D_GLIBCXX_ASSERTIONS -fsanitize=address,undefined -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr -fno-sanitize-address-use-after-scope -fno-sanitize-recover=all)
 function(toccata_sanitize target)
   target_compile_options(${target} PRIVATE -O1 -g1 ${TOCCATA_QUICK_CHECKS} -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   target_link_options(${target} PRIVATE ${TOCCATA_QUICK_CHECKS})

@@ -21,9 +21,10 @@ int main() {
   }
 
   // Not in steps, between which a contact could hide: the first time on the way, as an interval that contains it.
-  const ShapeHit first = cast_shape(ball, {-4, 0, 0}, knot, {.pose_a = Pose::translation(4, 0, 0)});
-  std::printf("first contact at x = %.6f, triangle %u against %u\n", 4 - 4 * first.upper, first.element_a,
-              first.element_b);
+  const auto first = cast_shape(ball, {-4, 0, 0}, knot, {.pose_a = Pose::translation(4, 0, 0)});
+  if (first)
+    std::printf("first contact at x = %.6f, triangle %u against %u\n", 4 - 4 * first->upper, first->element_a,
+                first->element_b);
 
   // Inside that, which triangles meet.
   const PairQuery inside = ball_at(1.25);

@@ -11,11 +11,11 @@ int main() {
   constexpr std::uint64_t scenery = 1, players = 2;
   World world;
   Body wall{Box({0.01, 5, 5}), Pose::translation(10, 0, 0)};  // 2 cm thin
-  wall.name = "wall", wall.group = scenery, wall.type = BodyType::static_body;
+  wall.name = "wall", wall.category = scenery, wall.type = BodyType::static_body;
   const BodyId wall_id = world.add(wall);
   for (int i = 0; i < 5; ++i) {
     Body player{Capsule({0, 0, -0.5}, {0, 0, 0.5}, 0.3), Pose::translation(3 + i, 0.15 * i - 0.3, 0)};
-    player.name = "player " + std::to_string(i), player.group = players;
+    player.name = "player " + std::to_string(i), player.category = players;
     world.add(player);
   }
   WorldQueries queries(world);

@@ -12,10 +12,10 @@ int main() {
 
   // One point: where on the surface is the nearest, on which triangle, and which triangles are next?
   const Vec3 probe{1.5, 0.5, 0};
-  const SurfacePoint near = nearest_point(probe, stone);
+  const SurfacePoint near = *nearest_point(probe, stone);
   std::printf("nearest: %.4f away at (%.3f, %.3f, %.3f)\n", near.upper, near.point.x, near.point.y, near.point.z);
   std::printf("of the five nearest triangles the last is %.4f away\n", nearest_points(probe, 5, stone).back().upper);
-  if (!nearest_point(probe, stone, {.max_distance = 0.1}).found) std::printf("nothing within 0.1\n");
+  if (!nearest_point(probe, stone, {.max_distance = 0.1})) std::printf("nothing within 0.1\n");
 
   // Many points at once, on all cores. The sign is that of the winding number, exact.
   constexpr int width = 49, height = 25;

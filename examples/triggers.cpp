@@ -9,12 +9,12 @@ using namespace toccata;
 
 namespace {
 
-// A bit for each group.
+// A bit for each category.
 constexpr std::uint64_t players = 1, bullets = 2, zones = 4;
 
-Body make(Model model, std::uint64_t group, std::uint64_t mask, const char* name) {
+Body make(Model model, std::uint64_t category, std::uint64_t mask, const char* name) {
   Body body{std::move(model)};
-  body.group = group, body.mask = mask, body.name = name;
+  body.category = category, body.mask = mask, body.name = name;
   return body;
 }
 

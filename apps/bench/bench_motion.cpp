@@ -47,7 +47,7 @@ template <class Pair>
 double nanoseconds_of(const Pair& pair, int repetitions) {
   std::size_t hits = 0;
   const double seconds = seconds_of([&] {
-    for (int i = 0; i < repetitions; ++i) hits += time_of_impact(pair).hit;
+    for (int i = 0; i < repetitions; ++i) hits += time_of_impact(pair).has_value();
   });
   if (hits != 0 && hits != static_cast<std::size_t>(repetitions))
     throw Error("motion: an answer has changed between two runs");
@@ -69,7 +69,7 @@ void measure(const std::vector<test::MotionQuery<Pair>>& queries, const std::str
              MotionResults& results) {
   for (const test::MotionQuery<Pair>& query : queries)
     add_answer(results, {"toccata", "time_of_impact", kind, {}}, query.name, query.is_hit,
-               {time_of_impact(query.pair).hit, least_nanoseconds(query.pair, rounds)});
+               {time_of_impact(query.pair).has_value(), least_nanoseconds(query.pair, rounds)});
 }
 
 using VertexFaceQueries = std::vector<test::MotionQuery<VertexFace>>;

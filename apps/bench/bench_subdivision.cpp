@@ -67,7 +67,7 @@ LimitRun measured(LimitLibrary& library, const SubdivisionCage& cage, const Subd
 /// number.
 std::size_t differences(const LimitRun& run, const LimitRun& ours, const Model& mesh, double within) {
   std::size_t count = 0;
-  for (const Vec3& p : run.points) count += std::size_t{nearest_point(p, mesh).lower > 2 * within};
+  for (const Vec3& p : run.points) count += std::size_t{nearest_point(p, mesh)->lower > 2 * within};
   for (std::size_t i = 0; i < run.intervals.size(); ++i) {
     const LimitInterval &a = run.intervals[i], &b = ours.intervals[i];
     count += std::size_t{std::max(a.lower, b.lower) > std::min(a.upper, b.upper)};

@@ -94,8 +94,8 @@ SweepJson cast_in_contact(const SweepWork& work, int rounds) {
   bool overlaps = false, met_at_once = false;
   const double overlap_us = fastest([&] { overlaps = overlap(a, b, at, workspace); });
   const double cast_us = fastest([&] {
-    const ShapeHit hit = cast_shape(a, {1, 0, 0}, b, at, workspace);
-    met_at_once = hit.hit && hit.upper == 0;
+    const std::optional<ShapeHit> hit = cast_shape(a, {1, 0, 0}, b, at, workspace);
+    met_at_once = hit && hit->upper == 0;
   });
   return {{"set", work.set},          {"overlaps", overlaps}, {"met_at_once", met_at_once},
           {"overlap_us", overlap_us}, {"cast_us", cast_us},   {"ratio", cast_us / overlap_us}};

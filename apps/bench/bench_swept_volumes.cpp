@@ -91,7 +91,7 @@ VolumeJson asked(const VolumeWork& work, const SweptVolume& volume, Random& rand
   });
   const double of_sweep = seconds_of([&] {
     for (std::size_t i = 0; i < asked_pairs; ++i) {
-      const bool hit = sweep(work.body, work.motion, balls[i], places[i]).hit;
+      const bool hit = sweep(work.body, work.motion, balls[i], places[i]).has_value();
       hits += hit;
       maybe += may[i];
       contradictions += hit && !may[i];

@@ -155,8 +155,8 @@ double time_of(const WorldWork& work, const Ray& ray) {
   double first = 1;
   for (const SceneInstance& body : work.bodies) {
     if (is_beside(ray, body)) continue;
-    const RayHit hit = cast_ray(ray.origin, ray.motion, body.model, body.pose);
-    if (hit.hit) first = std::min(first, hit.upper);
+    const std::optional<RayHit> hit = cast_ray(ray.origin, ray.motion, body.model, body.pose);
+    if (hit) first = std::min(first, hit->upper);
   }
   return first;
 }
@@ -166,8 +166,8 @@ double time_of(const WorldWork& work, const MovingShape& moving) {
   for (const SceneInstance& body : work.bodies) {
     if (!body.model.has_mesh() && is_beside({moving.shape.pose.offset, moving.motion}, body)) continue;
     const PairQuery query{moving.shape.pose, body.pose, Solid::automatic, body.solid};
-    const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, body.model, query);
-    if (hit.hit) first = std::min(first, hit.upper);
+    const std::optional<ShapeHit> hit = cast_shape(moving.shape.model, moving.motion, body.model, query);
+    if (hit) first = std::min(first, hit->upper);
   }
   return first;
 }

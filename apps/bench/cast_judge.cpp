@@ -82,8 +82,8 @@ class CastTruth {
     CastQuestion back = question_;
     back.start.offset = question_.start.offset + question_.motion;
     back.motion = -question_.motion;
-    const Cast cast = cast_of(pair_, back);
-    return cast.hit ? 1 - cast.lower : ours.upper;
+    const std::optional<Cast> cast = cast_of(pair_, back);
+    return cast ? 1 - cast->lower : ours.upper;
   }
 
   const CastPair& pair_;

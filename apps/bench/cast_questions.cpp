@@ -49,7 +49,7 @@ double border(const CastPair& pair, const CastQuestion& question, const Passing&
   double meets = 0, misses = 2;
   while (misses - meets > 1e-6) {
     const double middle = 0.5 * (meets + misses);
-    (cast_of(pair, passed(question, passing, middle)).hit ? meets : misses) = middle;
+    (cast_of(pair, passed(question, passing, middle)) ? meets : misses) = middle;
   }
   return meets;
 }
@@ -72,7 +72,7 @@ CastQuestion random_cast(const std::string& regime, const CastPair& pair, Random
 
 }  // namespace
 
-Cast cast_of(const CastPair& pair, const CastQuestion& question) {
+std::optional<Cast> cast_of(const CastPair& pair, const CastQuestion& question) {
   return std::visit([&](const auto& moving, const auto& standing) { return cast_given(moving, standing, question); },
                     pair.moving, pair.standing);
 }

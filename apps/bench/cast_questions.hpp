@@ -10,6 +10,6 @@ namespace toccata::bench {
 CastWork cast_work(const CastsArguments& arguments);
 
 /// What Toccata tells.
-Cast cast_of(const CastPair& pair, const CastQuestion& question);
+std::optional<Cast> cast_of(const CastPair& pair, const CastQuestion& question);
 
 }  // namespace toccata::bench

@@ -71,7 +71,7 @@ auto with_cast_types(const std::string& pair, Function function) {
 
 /// What Toccata tells of shapes that it poses for this question.
 template <class Moving, class Standing>
-Cast cast_given(const Moving& moving, const Standing& standing, const CastQuestion& question) {
+std::optional<Cast> cast_given(const Moving& moving, const Standing& standing, const CastQuestion& question) {
   const PosedAs<Standing> target(standing, question.standing);
   if constexpr (std::is_same_v<Moving, Point>)
     return cast_ray(question.start.offset, question.motion, target);

@@ -131,7 +131,11 @@ class SolidQuestions {
 
 /// What answers have to have in common, so that they can be compared by ==.
 using Met = std::tuple<bool, double, Index>;
-Met met(const Cast& cast, Index element) { return {cast.hit, cast.upper, cast.upper > 0 ? element : 0}; }
+template <class Hit>
+Met met(const std::optional<Hit>& hit, Index Hit::*element) {
+  if (!hit) return {false, 0, 0};
+  return {true, hit->upper, hit->upper > 0 ? (*hit).*element : 0};
+}
 bool is_met(const Met& answer) { return std::get<0>(answer); }
 bool is_true(const char& answer) { return answer != 0; }
 
@@ -142,16 +146,8 @@ std::vector<SolidRow> of_points(const BspTree& tree, const Model& model, SolidQu
       "a point: inside?", [&](std::size_t i) { return tree.locate(from[i]).side == Side::inside; },
       [&](std::size_t i) { return locate(from[i], model).side == Side::inside; }, is_true));
   rows.push_back(questions.row<Met>(
-      "a ray",
-      [&](std::size_t i) {
-        const RayHit hit = tree.cast_ray(from[i], to[i] - from[i]);
-        return met(hit, hit.element);
-      },
-      [&](std::size_t i) {
-        const RayHit hit = cast_ray(from[i], to[i] - from[i], model);
-        return met(hit, hit.element);
-      },
-      is_met));
+      "a ray", [&](std::size_t i) { return met(tree.cast_ray(from[i], to[i] - from[i]), &RayHit::element); },
+      [&](std::size_t i) { return met(cast_ray(from[i], to[i] - from[i], model), &RayHit::element); }, is_met));
   rows.push_back(questions.row<char>(
       "a segment: met?", [&](std::size_t i) { return tree.overlap(from[i], to[i]); },
       [&](std::size_t i) { return overlap(Segment(from[i], to[i]), model); }, is_true));
@@ -171,24 +167,21 @@ void of_shapes(const BspTree& tree, const Model& model, SolidQuestions& question
   std::vector<Met> truths(shapes.size());
   rows.push_back(questions.row<Met>(
       "a shape " + size + ", cast",
+      [&](std::size_t i) { return met(tree.cast_shape(shapes[i].posed, motions[i]), &ShapeHit::element_b); },
       [&](std::size_t i) {
-        const ShapeHit hit = tree.cast_shape(shapes[i].posed, motions[i]);
-        return met(hit, hit.element_b);
-      },
-      [&](std::size_t i) {
-        const ShapeHit hit = cast_shape(shapes[i].model, motions[i], model, {.pose_a = shapes[i].pose});
-        return truths[i] = met(hit, hit.element_b);
+        const auto hit = cast_shape(shapes[i].model, motions[i], model, {.pose_a = shapes[i].pose});
+        return truths[i] = met(hit, &ShapeHit::element_b);
       },
       is_met));
   for (const BspBevels bevels : {BspBevels::none, BspBevels::edges_and_corners}) {
     TraceRow row{.question = size + (bevels == BspBevels::none ? ", traced" : ", traced with bevels")};
-    std::vector<BspTrace> found(shapes.size());
+    std::vector<std::optional<BspTrace>> found(shapes.size());
     row.us = questions.time([&](std::size_t i) { found[i] = tree.trace(shapes[i].posed, motions[i], bevels); });
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const auto& [hit, upper, element] = truths[i];
-      row.hits += found[i].hit ? 1U : 0U;
-      row.false_hits += found[i].hit && !hit ? 1U : 0U;
-      row.wrong += hit && (!found[i].hit || found[i].time > upper) ? 1U : 0U;
+      row.hits += found[i] ? 1U : 0U;
+      row.false_hits += found[i] && !hit ? 1U : 0U;
+      row.wrong += hit && (!found[i] || found[i]->time > upper) ? 1U : 0U;
     }
     traces.push_back(row);
   }

@@ -145,7 +145,7 @@ double place_beside(const SharedTriangles& mesh, const SweepWay& turning, double
   while (free - meets > 1e-4 * length(size)) {
     const double middle = 0.5 * (meets + free);
     const RigidMotion standing(Pose::translation(middle, 0, 0));
-    (sweep(model, turning.motion(), model, standing, query).hit ? meets : free) = middle;
+    (sweep(model, turning.motion(), model, standing, query) ? meets : free) = middle;
   }
   return free;
 }

@@ -16,7 +16,10 @@ const std::map<std::string, CastMaker>& cast_makers() {
   return all;
 }
 
-CastAnswer answer_of(const Cast& cast) { return {cast.hit, cast.lower, cast.upper, cast.status == Status::exact}; }
+CastAnswer answer_of(const std::optional<Cast>& cast) {
+  if (!cast) return {false, 0, 0, true};
+  return {true, cast->lower, cast->upper, cast->status == Status::exact};
+}
 
 enum class CastPosing { for_each_question, before };
 
@@ -53,7 +56,7 @@ class ToccataCasts : public CastLibrary {
   }
 
  private:
-  Cast of_posed(std::size_t number, const CastQuestion& question) const {
+  std::optional<Cast> of_posed(std::size_t number, const CastQuestion& question) const {
     if constexpr (std::is_same_v<Moving, Point>)
       return cast_ray(question.start.offset, question.motion, posed_standing_[number]);
     else

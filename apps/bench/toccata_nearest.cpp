@@ -33,7 +33,7 @@ class ArraysOfPoints : public ToccataNearest {
     BatchOptions options;
     options.threads = 1;
     const auto found = nearest_point_each(points, *model_, {}, options);
-    for (std::size_t i = 0; i < found.size(); ++i) distances[i] = distance_of(found[i]);
+    for (std::size_t i = 0; i < found.size(); ++i) distances[i] = distance_of(*found[i]);
   }
 };
 
@@ -42,7 +42,7 @@ class SinglePoints : public ToccataNearest {
   using ToccataNearest::ToccataNearest;
   void answer(std::span<const Vec3> points, std::span<double> distances) override {
     for (std::size_t i = 0; i < points.size(); ++i)
-      distances[i] = distance_of(nearest_point(points[i], *model_, {}, workspace_));
+      distances[i] = distance_of(*nearest_point(points[i], *model_, {}, workspace_));
   }
 
  private:

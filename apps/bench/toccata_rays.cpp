@@ -11,7 +11,9 @@
 namespace toccata::bench {
 namespace {
 
-RayAnswer ray_answer_of(const RayHit& hit) { return {hit.hit, 0.5 * (hit.lower + hit.upper)}; }
+RayAnswer ray_answer_of(const std::optional<RayHit>& hit) {
+  return hit ? RayAnswer{true, 0.5 * (hit->lower + hit->upper)} : RayAnswer{};
+}
 
 class ToccataRays : public RayLibrary {
  public:

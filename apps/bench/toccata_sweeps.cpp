@@ -36,8 +36,11 @@ class ToccataSweeps : public SweepLibrary {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const SweepQuestion& question = work_->questions[first + i];
       const auto& [a, b] = models_[question.pair];
-      const ShapeHit hit = sweep(a, question.a.motion(), b, question.b.motion(), {}, workspace_);
-      answers[i] = {hit.hit, hit.status == Status::exact, hit.lower, hit.upper};
+      const std::optional<ShapeHit> hit = sweep(a, question.a.motion(), b, question.b.motion(), {}, workspace_);
+      if (hit)
+        answers[i] = {true, hit->status == Status::exact, hit->lower, hit->upper};
+      else
+        answers[i] = {false, true, 0, 0};
     }
   }
 

@@ -60,7 +60,7 @@ const SceneObject& object_to_locate_in(const Scene& scene, const std::string& fi
 PointLocator locator_of(const Model& model, const Pose& pose) {
   return {"its own tree", LocateJson(), [model, pose](const Vec3& point) {
             LocatedPoint found{locate(point, model, pose)};
-            if (found.side == Side::boundary) found.triangle = nearest_point(point, model, {.pose = pose}).element;
+            if (found.side == Side::boundary) found.triangle = nearest_point(point, model, {.pose = pose})->element;
             return found;
           }};
 }

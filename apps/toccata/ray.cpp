@@ -62,14 +62,14 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const ReportedRay& ray = rays[i];
     rows.push_back({fmt::format("ray {}", i), "meets nothing"});
-    if (!ray.hit.hit) continue;
+    if (!ray.hit) continue;
     ++met;
-    if (ray.hit.status == Status::undecided) ++undecided;
+    if (ray.hit->status == Status::undecided) ++undecided;
     const SceneInstance& target = input.models[ray.object];
-    const std::string where = target.model.has_mesh() ? fmt::format("face {}", ray.hit.face) : "";
-    rows.back() = {rows.back()[0], "meets " + names[ray.object], where, "at " + point_text(ray.hit.point),
-                   fmt::format("hit distance {:.12g}, fraction {:.12g}", ray.hit.upper * ray_length(ray.query.motion),
-                               ray.hit.upper)};
+    const std::string where = target.model.has_mesh() ? fmt::format("face {}", ray.hit->face) : "";
+    rows.back() = {rows.back()[0], "meets " + names[ray.object], where, "at " + point_text(ray.hit->point),
+                   fmt::format("hit distance {:.12g}, fraction {:.12g}", ray.hit->upper * ray_length(ray.query.motion),
+                               ray.hit->upper)};
   }
   for (auto& row : rows) row.resize(5);
   return columns(rows, 2) + fmt::format("{} of {} met something, {}.\n", grouped(met), counted(rows.size(), "ray"),
@@ -77,7 +77,7 @@ std::string table_of(const CheckInput& input, const RayReport& report) {
 }
 
 Summary summary_of(const RayReport& report) {
-  const auto hits = [](const ReportedRay& ray) { return ray.hit.hit; };
+  const auto hits = [](const ReportedRay& ray) { return ray.hit.has_value(); };
   return {counted(report.rays.size(), "ray"), std::any_of(report.rays.begin(), report.rays.end(), hits)};
 }
 

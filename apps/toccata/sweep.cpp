@@ -106,12 +106,12 @@ int run_sweep(const SweepArguments& arguments) {
 
 std::vector<std::string> row_of(const CheckInput& input, const std::vector<std::string>& names,
                                 const ReportedSweep& pair) {
-  const ShapeHit& hit = pair.hit;
-  if (!hit.hit) return {names[pair.a], "passes", names[pair.b], "", ""};
+  const std::optional<ShapeHit>& hit = pair.hit;
+  if (!hit) return {names[pair.a], "passes", names[pair.b], "", ""};
   const bool have_faces = input.models[pair.a].model.has_mesh() && input.models[pair.b].model.has_mesh();
   return {names[pair.a], "meets", names[pair.b],
-          fmt::format("at fraction {:.12g} of the motion, {}", hit.upper, point_text(hit.point)),
-          have_faces ? fmt::format("face {} on face {}", hit.face_a, hit.face_b) : ""};
+          fmt::format("at fraction {:.12g} of the motion, {}", hit->upper, point_text(hit->point)),
+          have_faces ? fmt::format("face {} on face {}", hit->face_a, hit->face_b) : ""};
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::string table_of(const CheckInput& input, const SweepReport& report) {
   std::size_t undecided = 0;
   for (const ReportedSweep& pair : report.pairs) {
     rows.push_back(row_of(input, names, pair));
-    undecided += pair.hit.status == Status::exact ? 0U : 1U;
+    undecided += !pair.hit || pair.hit->status == Status::exact ? 0U : 1U;
   }
   return columns(rows, 2) + fmt::format("{} of {} meet on the way, {}.\n", grouped(meeting_count(report)),
                                         counted(rows.size(), "pair"), decided_text(undecided));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -243,6 +244,32 @@ Answers structured(std::vector<Answer> answers) {
   const nb::capsule owner = capsule_of(std::move(answers));
   auto& kept = *static_cast<std::vector<Answer>*>(owner.data());
   return structured(owner, reinterpret_cast<std::byte*>(kept.data()), kept.size() * sizeof(Answer), dtype_of<Answer>());
+}
+
+/// An answer that there may be: a row of an array has nothing to say where there is none.
+template <class Answer>
+struct MaybeFound {
+  bool found = false;
+  Answer answer{};
+};
+
+template <class Answer>
+struct Described<MaybeFound<Answer>> {
+  using Row = MaybeFound<Answer>;
+  static constexpr const char* name = Described<Answer>::name;
+  static constexpr const char* doc = Described<Answer>::doc;
+  static constexpr auto fields =
+      std::tuple_cat(std::tuple{field<Row, &Row::found>("found", "There is one; else the others say nothing.")},
+                     fields_within<Row, &Row::answer>(Described<Answer>::fields));
+};
+
+/// Rows with `found` before the members of an answer.
+template <class Answer>
+Answers structured(const std::vector<std::optional<Answer>>& answers) {
+  std::vector<MaybeFound<Answer>> rows(answers.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (answers[i]) rows[i] = {true, *answers[i]};
+  return structured(std::move(rows));
 }
 
 }  // namespace toccata::python

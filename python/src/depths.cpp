@@ -170,9 +170,9 @@ void bind_distances_within(nb::module_& module) {
          const PosesLike& poses_b, Solid solid_a, Solid solid_b, int threads) {
         const PairsAsked pairs(a, b, poses_a, poses_b, solid_a, solid_b);
         return structured(
-            rows_of(asked_of_pairs(pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
+            asked_of_pairs(pairs, threads, [&](const Batch<PairQuery>& batch, const BatchOptions& options) {
               return distance_within_each(batch, max_distance, options);
-            })));
+            }));
       },
       nb::arg("a"), nb::arg("b"), nb::arg("max_distance"), nb::arg("poses_a") = nb::none(),
       nb::arg("poses_b") = nb::none(), nb::kw_only(), nb::arg("solid_a") = Solid::automatic,

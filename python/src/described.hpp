@@ -58,9 +58,8 @@ struct Described<Relation> {
 template <>
 struct Described<RayHit> {
   static constexpr const char* name = "RayHit";
-  static constexpr const char* doc = "What a ray meets first. True in a condition exactly when something is met.";
+  static constexpr const char* doc = "What a ray meets first.";
   static constexpr std::tuple fields{
-      field<RayHit, &RayHit::hit>("hit", "Something is met; that nothing is met is proved."),
       field<RayHit, &RayHit::lower>("lower", "The exact fraction of the way is at least this."),
       field<RayHit, &RayHit::upper>("upper", "The exact fraction of the way is at most this; from 0 to 1."),
       field<RayHit, &RayHit::point>("point", "Where, in the world; shape (3,)."),
@@ -73,10 +72,8 @@ struct Described<RayHit> {
 template <>
 struct Described<ShapeHit> {
   static constexpr const char* name = "ShapeHit";
-  static constexpr const char* doc =
-      "Where a moving shape first meets another. True in a condition exactly when something is met.";
+  static constexpr const char* doc = "Where a moving shape first meets another.";
   static constexpr std::tuple fields{
-      field<ShapeHit, &ShapeHit::hit>("hit", "Something is met; that nothing is met is proved."),
       field<ShapeHit, &ShapeHit::lower>("lower", "The exact fraction of the way is at least this."),
       field<ShapeHit, &ShapeHit::upper>("upper", "The exact fraction of the way is at most this; from 0 to 1."),
       field<ShapeHit, &ShapeHit::point>("point", "Where they meet then, in the world; shape (3,)."),
@@ -91,10 +88,8 @@ struct Described<ShapeHit> {
 template <>
 struct Described<SurfacePoint> {
   static constexpr const char* name = "SurfacePoint";
-  static constexpr const char* doc =
-      "The point of a surface that is nearest to a given one. True in a condition exactly when one was found.";
+  static constexpr const char* doc = "The point of a surface that is nearest to a given one.";
   static constexpr std::tuple fields{
-      field<SurfacePoint, &SurfacePoint::found>("found", "There is one within the greatest distance."),
       field<SurfacePoint, &SurfacePoint::lower>("lower", "The exact distance is at least this."),
       field<SurfacePoint, &SurfacePoint::upper>("upper", "The exact distance is at most this."),
       field<SurfacePoint, &SurfacePoint::point>("point", "The nearest point, in the world; shape (3,)."),

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nanobind/stl/optional.h>
 
 #include <toccata/core/error.hpp>
 #include <toccata/core/parallel.hpp>
@@ -26,8 +27,7 @@ template <>
 struct Described<TimeOfImpact> {
   static constexpr const char* name = "TimeOfImpact";
   static constexpr const char* doc = "When two moving features first meet.";
-  static constexpr std::tuple fields{field<TimeOfImpact, &TimeOfImpact::hit>("hit", ""),
-                                     field<TimeOfImpact, &TimeOfImpact::lower>("lower", ""),
+  static constexpr std::tuple fields{field<TimeOfImpact, &TimeOfImpact::lower>("lower", ""),
                                      field<TimeOfImpact, &TimeOfImpact::upper>("upper", "")};
 };
 
@@ -306,7 +306,8 @@ void bind_sweep(nb::module_& module) {
       },
       nb::arg("a"), nb::arg("motion_a"), nb::arg("b"), nb::arg("motion_b") = nb::none(), nb::kw_only(),
       nb::arg("stop_before") = 0.0, nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
-      R"(When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
+      R"(When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. None where they do not, which is proved
+for all of the way.
 
 Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
 coordinates; negative: when they are so deep in each other. By conservative advancement (B. Mirtich, "Impulse-based dynamic
@@ -331,8 +332,7 @@ conservative advancement", 2009). Raises Error like cast_shape.)");
           "toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, "
           "solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers"),
       "sweep of many motions of A, in the unit of the coordinates, on all cores: a structured array with the members "
-      "of "
-      "ShapeHit. Raises Error naming the motion.");
+      "of ShapeHit, and found. Raises Error naming the motion.");
   module.def(
       "swept_volume",
       [](const AnyShape& shape, const MotionLike& motion, double excess, std::size_t max_parts, Solid solid) {
@@ -394,8 +394,7 @@ void bind_impacts(nb::module_& module) {
       "When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and "
       "the "
       "three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of "
-      "hit, lower and "
-      "upper, "
+      "found, lower and upper, "
       "two neighbouring multiples of 2**-40 (the cubic: X. Provot, \"Collision and self-collision handling in cloth "
       "model "
       "dedicated to design garments\", 1997). Raises Error for other shapes, and when a number is not finite.");

@@ -29,31 +29,6 @@ namespace toccata::python {
 template <class Objects>
 struct ObjectsTold;
 
-/// An answer about one of the objects: a row of an array has nothing to say where nothing was found.
-template <class Found>
-struct MaybeFound {
-  bool found = false;
-  Found answer{};
-};
-
-template <class Found>
-struct Described<MaybeFound<Found>> {
-  using Row = MaybeFound<Found>;
-  static constexpr const char* name = Described<Found>::name;
-  static constexpr const char* doc = Described<Found>::doc;
-  static constexpr auto fields =
-      std::tuple_cat(std::tuple{field<Row, &Row::found>("found", "There is one; else the others say nothing.")},
-                     fields_within<Row, &Row::answer>(Described<Found>::fields));
-};
-
-template <class Found>
-std::vector<MaybeFound<Found>> rows_of(const std::vector<std::optional<Found>>& answers) {
-  std::vector<MaybeFound<Found>> rows(answers.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (answers[i]) rows[i] = {true, *answers[i]};
-  return rows;
-}
-
 /// "Scene" and "RayHit" as one name.
 template <class Answer>
 constexpr std::array<char, 32> prefixed(std::string_view prefix) {
@@ -139,10 +114,10 @@ class ObjectQuestions {
         [](const Bound& bound, const ArrayLike& origins, const ArrayLike& motions, const nb::object& only,
            int threads) {
           const std::vector<Ray> given = rays(origins, motions);
-          return structured(rows_of(of_many(
-              bound, only, threads, [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
-                return queries.cast_ray_each(given, filter, options);
-              })));
+          return structured(of_many(bound, only, threads,
+                                    [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
+                                      return queries.cast_ray_each(given, filter, options);
+                                    }));
         },
         nb::arg("origins"), nb::arg("motions"), nb::kw_only(), nb::arg("only") = nb::none(),
         nb::arg("threads") = all_threads,
@@ -177,10 +152,10 @@ class ObjectQuestions {
                                     ways.size(), instances.size()));
           std::vector<MovingShape> moving;
           for (std::size_t i = 0; i < ways.size(); ++i) moving.push_back({std::move(instances[i]), ways[i]});
-          return structured(rows_of(of_many(
-              bound, only, threads, [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
-                return queries.cast_shape_each(moving, filter, options);
-              })));
+          return structured(of_many(bound, only, threads,
+                                    [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
+                                      return queries.cast_shape_each(moving, filter, options);
+                                    }));
         },
         nb::arg("shapes"), nb::arg("motions"), nb::arg("poses") = nb::none(), nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,
@@ -282,10 +257,10 @@ class ObjectQuestions {
         [](const Bound& bound, const ShapesLike& shapes, const PosesLike& poses, double max_distance, Solid solid,
            const nb::object& only, int threads) {
           const std::vector<SceneInstance> asked = instances_of(shapes, poses, solid);
-          return structured(rows_of(of_many(
-              bound, only, threads, [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
-                return queries.nearest_each(asked, max_distance, filter, options);
-              })));
+          return structured(of_many(bound, only, threads,
+                                    [&](const Queries& queries, const auto& filter, const BatchOptions& options) {
+                                      return queries.nearest_each(asked, max_distance, filter, options);
+                                    }));
         },
         nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::arg("max_distance") = unlimited, nb::kw_only(),
         nb::arg("solid") = Solid::automatic, nb::arg("only") = nb::none(), nb::arg("threads") = all_threads,

@@ -103,7 +103,8 @@ void bind_casts(nb::module_& module) {
       },
       nb::arg("a"), nb::arg("motion"), nb::arg("b"), nb::arg("pose_a") = nb::none(), nb::arg("pose_b") = nb::none(),
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
-      R"(Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands.
+      R"(Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands;
+None where it does not.
 
 lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved (conservative advancement: B. Mirtich,
 "Impulse-based dynamic simulation of rigid body systems", 1996). Lengths are in the unit of the coordinates. Raises Error like
@@ -129,7 +130,8 @@ overlap, and where it is not defined, as of two half-spaces.)");
       nb::kw_only(), nb::arg("solid_a") = Solid::automatic, nb::arg("solid_b") = Solid::automatic,
       nb::arg("threads") = all_threads,
       "cast_shape of many motions, shape (N, 3), in the world and the unit of the coordinates, and poses, N or one of "
-      "each: a structured array with the members of ShapeHit. Raises Error naming the least query that is asked "
+      "each: a structured array with the members of ShapeHit, and found. Raises Error naming the least query that is "
+      "asked "
       "wrongly.");
 }
 
@@ -147,7 +149,7 @@ void bind_answers(nb::module_& module) {
   bind_answer<Distance>(module);
   bind_answer<Penetration>(module);
   bind_answer<Relation>(module);
-  bind_answer<ShapeHit>(module).def("__bool__", [](const ShapeHit& hit) { return hit.hit; });
+  bind_answer<ShapeHit>(module);
 }
 
 void bind_single_questions(nb::module_& module) {

@@ -1,4 +1,5 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 
 #include <utility>
@@ -41,7 +42,7 @@ void bind_nearest(nb::module_& module) {
                            [&](const Model& model) { return nearest_point(at, model, query, kept_workspace()); });
       },
       nb::arg("point"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
-      R"(The nearest point of the surface of a posed shape, also from within.
+      R"(The nearest point of the surface of a posed shape, also from within; None where all of it is farther than max_distance.
 
 The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. In the unit of
 the coordinates. By the tree of a mesh, the nearest boxes first (N. Roussopoulos, S. Kelley, F. Vincent, "Nearest neighbor
@@ -72,7 +73,7 @@ queries", 1995). Raises Error when a number is not finite, the greatest distance
       nb::arg("points"), nb::arg("surface"), nb::arg("pose") = nb::none(), nb::arg("max_distance") = unlimited,
       nb::kw_only(), nb::arg("threads") = all_threads,
       "nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint, "
-      "in "
+      "and found, in "
       "the unit of the coordinates. Raises Error like nearest_point, naming the point.");
 }
 
@@ -174,7 +175,8 @@ void bind_rays(nb::module_& module) {
       },
       nb::arg("origin"), nb::arg("motion"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
       nb::arg("solid") = Solid::automatic,
-      R"(Where the ray from origin to origin + motion first meets the posed shape; both of the shape (3,), in the world.
+      R"(Where the ray from origin to origin + motion first meets the posed shape, None where it meets nothing, which is proved;
+both of the shape (3,), in the world.
 
 lower and upper are fractions of the way, from 0 to 1: a ray ends at origin + motion. No ray passes between two triangles
 that share an edge. A solid is met at once from within; Solid.none asks its surface. Lengths are in the unit of the
@@ -196,14 +198,15 @@ coordinates. Raises Error when a number is not finite or the motion is zero.)");
       nb::arg("origins"), nb::arg("motions"), nb::arg("target"), nb::arg("pose") = nb::none(), nb::kw_only(),
       nb::arg("solid") = Solid::automatic, nb::arg("threads") = all_threads,
       "cast_ray of many rays, origins and motions of the shape (N, 3) in the world and the unit of the coordinates, on "
-      "all cores: a structured array with the members of RayHit. Raises Error like cast_ray, naming the ray.");
+      "all cores: a structured array with the members of RayHit, and found. Raises Error like cast_ray, naming the "
+      "ray.");
 }
 
 }  // namespace
 
 void bind_point_questions(nb::module_& module) {
-  bind_answer<RayHit>(module).def("__bool__", [](const RayHit& hit) { return hit.hit; });
-  bind_answer<SurfacePoint>(module).def("__bool__", [](const SurfacePoint& point) { return point.found; });
+  bind_answer<RayHit>(module);
+  bind_answer<SurfacePoint>(module);
   bind_nearest(module);
   bind_sides(module);
   bind_signed_distances(module);

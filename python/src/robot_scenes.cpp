@@ -150,7 +150,7 @@ Answers distances_told(const std::vector<std::optional<RobotDistance>>& answers,
     nearest[i] = told(*answers[i]).nearest;
     std::ranges::copy(answers[i]->gradient, gradients.begin() + static_cast<std::ptrdiff_t>(i * positions));
   }
-  const Answers rows = structured(rows_of(nearest));
+  const Answers rows = structured(nearest);
   nb::list members;
   for (const nb::handle name : rows.attr("dtype").attr("names"))
     members.append(nb::make_tuple(name, rows.attr("dtype").attr("fields")[name][0]));

@@ -143,7 +143,7 @@ bool any_overlap_in(const HeldWorld& held) {
 /// Which bodies are asked.
 struct AskedBodies {
   std::uint64_t mask = ~std::uint64_t{0};
-  std::uint64_t group = 0;
+  std::uint64_t category = 0;
   std::vector<BodyId> except{};
 };
 
@@ -176,7 +176,7 @@ struct ObjectsTold<WorldBodies> {
     if (only.is_none()) return {};
     if (!nb::isinstance<AskedBodies>(only)) throw Error("only: toccata.BodyFilter is needed, or None");
     const AskedBodies& asked = nb::cast<const AskedBodies&>(only);
-    BodyFilter filter{asked.mask, asked.group, {}};
+    BodyFilter filter{asked.mask, asked.category, {}};
     if (!asked.except.empty())
       filter.accepts = [except = asked.except](BodyId id) { return std::ranges::find(except, id) == except.end(); };
     return filter;
@@ -336,12 +336,12 @@ void bind_step(nb::module_& module) {
       bound, [](const HeldStep& step) { return state_of_step(step); }, &step_of_state);
 }
 
-Body body_of(const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
+Body body_of(const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t category,
              std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
   Body body{shape.model, pose_of(pose, "pose")};
   body.type = type;
   body.solid = solid;
-  body.group = group;
+  body.category = category;
   body.mask = mask;
   body.margin = margin;
   body.user_data = user_data;
@@ -353,7 +353,7 @@ Making making_of_body(const Body& body) {
   nb::dict named;
   named["type"] = body.type;
   named["solid"] = body.solid;
-  named["group"] = body.group;
+  named["category"] = body.category;
   named["mask"] = body.mask;
   named["margin"] = body.margin;
   named["user_data"] = body.user_data;
@@ -375,25 +375,26 @@ void bind_body_id(nb::module_& module) {
 void bind_body(nb::module_& module) {
   nb::class_<Body> bound(module, "Body", R"(A shape at its place in a World, and what is to be told of it.
 
-Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
+Two bodies make a pair only if each is in a category of the other's mask (a bit each), and are one when they are at most the
 sum of their margins apart: lengths in the unit of the coordinates. The pose is in the world. Raises Error for what is no
 pose; the rest is looked at by World.add.)");
   bound
       .def(
           "__init__",
-          [](Body* place, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid, std::uint64_t group,
-             std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
-            new (place) Body(body_of(shape, pose, type, solid, group, mask, margin, user_data, name));
+          [](Body* place, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid,
+             std::uint64_t category, std::uint64_t mask, double margin, std::uint64_t user_data,
+             const std::string& name) {
+            new (place) Body(body_of(shape, pose, type, solid, category, mask, margin, user_data, name));
           },
           nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("type") = BodyType::dynamic_body,
-          nb::arg("solid") = Solid::automatic, nb::arg("group") = 1, nb::arg("mask") = ~std::uint64_t{0},
+          nb::arg("solid") = Solid::automatic, nb::arg("category") = 1, nb::arg("mask") = ~std::uint64_t{0},
           nb::arg("margin") = 0.0, nb::arg("user_data") = 0, nb::arg("name") = "")
       .def_prop_ro(
           "shape", [](const Body& body) { return shape_object(body.model); }, nb::sig("def shape(self) -> Shape"))
       .def_ro("pose", &Body::pose)
       .def_ro("type", &Body::type)
       .def_ro("solid", &Body::solid)
-      .def_ro("group", &Body::group)
+      .def_ro("category", &Body::category)
       .def_ro("mask", &Body::mask)
       .def_ro("margin", &Body::margin)
       .def_ro("user_data", &Body::user_data)
@@ -408,7 +409,7 @@ pose; the rest is looked at by World.add.)");
 Making making_of_filter(const AskedBodies& asked) {
   nb::dict named;
   named["mask"] = asked.mask;
-  named["group"] = asked.group;
+  named["category"] = asked.category;
   nb::list except;
   for (const BodyId id : asked.except) except.append(id);
   named["except_bodies"] = except;
@@ -421,20 +422,21 @@ void bind_filter(nb::module_& module) {
   bound
       .def(
           "__init__",
-          [](AskedBodies* place, std::uint64_t mask, std::uint64_t group, const nb::object& except) {
-            new (place)
-                AskedBodies{mask, group, except.is_none() ? std::vector<BodyId>{} : bodies_of(except, "except_bodies")};
+          [](AskedBodies* place, std::uint64_t mask, std::uint64_t category, const nb::object& except) {
+            new (place) AskedBodies{mask, category,
+                                    except.is_none() ? std::vector<BodyId>{} : bodies_of(except, "except_bodies")};
           },
-          nb::kw_only(), nb::arg("mask") = ~std::uint64_t{0}, nb::arg("group") = 0,
+          nb::kw_only(), nb::arg("mask") = ~std::uint64_t{0}, nb::arg("category") = 0,
           nb::arg("except_bodies") = nb::none(),
-          nb::sig("def __init__(self, *, mask: int = 18446744073709551615, group: int = 0, except_bodies: "
+          nb::sig("def __init__(self, *, mask: int = 18446744073709551615, category: int = 0, except_bodies: "
                   "toccata._typing.BodiesLike | None = None) -> None"),
-          "Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask "
+          "Those that are in one of the categories of the mask (a bit each); with a category, of them those whose own "
+          "mask "
           "has "
           "it; and none of except_bodies.")
       .def("__repr__", [](const AskedBodies& asked) {
-        return fmt::format("<toccata.BodyFilter: mask {:#x}, group {:#x}, without {} bodies>", asked.mask, asked.group,
-                           asked.except.size());
+        return fmt::format("<toccata.BodyFilter: mask {:#x}, category {:#x}, without {} bodies>", asked.mask,
+                           asked.category, asked.except.size());
       });
   bind_value(bound, &making_of_filter);
 }
@@ -460,12 +462,13 @@ void bind_adding(BoundWorld& bound) {
       .def(
           "add",
           [](const HeldWorld& held, const AnyShape& shape, const PoseLike& pose, BodyType type, Solid solid,
-             std::uint64_t group, std::uint64_t mask, double margin, std::uint64_t user_data, const std::string& name) {
-            const Body body = body_of(shape, pose, type, solid, group, mask, margin, user_data, name);
+             std::uint64_t category, std::uint64_t mask, double margin, std::uint64_t user_data,
+             const std::string& name) {
+            const Body body = body_of(shape, pose, type, solid, category, mask, margin, user_data, name);
             return held.with([&](World& world) { return world.add(body); });
           },
           nb::arg("shape"), nb::arg("pose") = nb::none(), nb::kw_only(), nb::arg("type") = BodyType::dynamic_body,
-          nb::arg("solid") = Solid::automatic, nb::arg("group") = 1, nb::arg("mask") = ~std::uint64_t{0},
+          nb::arg("solid") = Solid::automatic, nb::arg("category") = 1, nb::arg("mask") = ~std::uint64_t{0},
           nb::arg("margin") = 0.0, nb::arg("user_data") = 0, nb::arg("name") = "",
           "The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no "
           "length and for a pose that its shape may not have. The pose is in the world, the margin in the unit of the "
@@ -473,18 +476,18 @@ void bind_adding(BoundWorld& bound) {
       .def(
           "add_each",
           [](const HeldWorld& held, const ShapesLike& shapes, const PosesLike& poses, const ArrayLike& margins,
-             BodyType type, Solid solid, std::uint64_t group, std::uint64_t mask) {
+             BodyType type, Solid solid, std::uint64_t category, std::uint64_t mask) {
             const std::vector<SceneInstance> instances = instances_of(shapes, poses, solid);
             const std::vector<double> margin = numbers_for(margins, instances.size(), "margins");
             std::vector<Body> bodies;
             for (std::size_t i = 0; i < instances.size(); ++i) {
-              Body body{instances[i].model, instances[i].pose, type, solid, group, mask, margin[i]};
+              Body body{instances[i].model, instances[i].pose, type, solid, category, mask, margin[i]};
               bodies.push_back(std::move(body));
             }
             return structured(held.with([&](World& world) { return world.add(bodies); }));
           },
           nb::arg("shapes"), nb::arg("poses") = nb::none(), nb::arg("margins") = 0.0, nb::kw_only(),
-          nb::arg("type") = BodyType::dynamic_body, nb::arg("solid") = Solid::automatic, nb::arg("group") = 1,
+          nb::arg("type") = BodyType::dynamic_body, nb::arg("solid") = Solid::automatic, nb::arg("category") = 1,
           nb::arg("mask") = ~std::uint64_t{0},
           "Adds one shape at many poses, or as many shapes, with one margin or as many, shape (N,), in the unit of the "
           "coordinates; the array of their ids (index, generation, world), in order. Raises Error like add.")
@@ -589,10 +592,10 @@ void bind_pair_questions_of_world(BoundWorld& bound) {
             });
           },
           "All pairs of the last step.")
-      .def(
-          "any_overlap", &any_overlap_in,
-          "Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and "
-          "rules. Exact; needs no step, and stops at the first two that it finds.")
+      .def("any_overlap", &any_overlap_in,
+           "Whether any two bodies have a point in common where they are now, whatever their types, categories, "
+           "margins and "
+           "rules. Exact; needs no step, and stops at the first two that it finds.")
       .def(
           "any_contact",
           [](const HeldWorld& held) {

@@ -65,9 +65,10 @@ void tell_contacts(const char* question, std::size_t query, std::span<const Cont
         c.intersection.crossing, c.intersection.count);
 }
 
-void tell_hit(const char* question, std::size_t query, const ShapeHit& h) {
-  row(question, query, h.hit, h.lower, h.upper, h.point, h.normal, h.status, h.element_a, h.element_b, h.face_a,
-      h.face_b);
+void tell_hit(const char* question, std::size_t query, const std::optional<ShapeHit>& h) {
+  if (h)
+    row(question, query, h->lower, h->upper, h->point, h->normal, h->status, h->element_a, h->element_b, h->face_a,
+        h->face_b);
 }
 
 void ask_about_pairs(const Model& a, const Model& b, const std::vector<Pose>& poses) {
@@ -94,8 +95,8 @@ void ask_about_points(const Model& closed, const Model& open, const std::vector<
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Vec3& point = poses[i].offset;
     const Pose& pose = poses[(i + 1) % poses.size()];
-    const SurfacePoint near = nearest_point(point, closed, {.pose = pose});
-    row("nearest", i, near.found, near.lower, near.upper, near.point, near.element, near.face, near.status);
+    const SurfacePoint near = *nearest_point(point, closed, {.pose = pose});
+    row("nearest", i, near.lower, near.upper, near.point, near.element, near.face, near.status);
     const PointLocation at = locate(point, closed, pose);
     row("located", i, at.side, at.winding_number);
     const WindingNumber wound = generalized_winding_number(point, open, pose);

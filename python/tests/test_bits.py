@@ -134,7 +134,7 @@ def test_questions_about_points_and_rays(tmp_path):
         rays = asked("ray", scene, "--rays", written(numpy.hstack([points, ends]), tmp_path / "rays.txt"))["rays"]
         hits = toccata.cast_ray_each(points, ends - points, shape)
         for told, row in zip(rays, hits, strict=True):
-            assert told["hit"] == row["hit"]
+            assert told["hit"] == row["found"]
             for name in ("lower", "upper", "point", "normal", "face") if told["hit"] else ():
                 assert numpy.array_equal(told[name], row[name]), (shape, told, row)
             compared += 1
@@ -180,7 +180,7 @@ def numbers_of(row, names: str) -> list[float]:
 
 
 CONTACT = "element_a element_b face_a face_b kind coplanar crossing point_count"
-HIT = "hit lower upper point normal status element_a element_b face_a face_b"
+HIT = "lower upper point normal status element_a element_b face_a face_b"
 
 
 def shapes_asked() -> list:
@@ -207,9 +207,10 @@ def test_pairs_of_meshes(told):
         regions = toccata.contact_regions(knot, bumpy, pose_b=pose)
         names = "triangle_pairs face_pairs lower upper point_count closed curve_count area normal depth_lower depth_upper deepest"
         ours["regions"] += [[i, *numpy.nan_to_num(numbers_of(row, names)).tolist()] for row in regions]
-        ours["casts"].append([i, *numbers_of(toccata.cast_shape(knot, pose[:3, 3], bumpy, pose_b=following), HIT)])
-        motion = toccata.RigidMotion.between(following, pose)
-        ours["sweeps"].append([i, *numbers_of(toccata.sweep(knot, pose, bumpy, motion), HIT)])
+        if hit := toccata.cast_shape(knot, pose[:3, 3], bumpy, pose_b=following):
+            ours["casts"].append([i, *numbers_of(hit, HIT)])
+        if hit := toccata.sweep(knot, pose, bumpy, toccata.RigidMotion.between(following, pose)):
+            ours["sweeps"].append([i, *numbers_of(hit, HIT)])
     are_equal(ours, told, {"contacts": 100 * len(poses), "points": 100 * len(poses), "regions": len(poses)})
 
 
@@ -220,7 +221,7 @@ def test_points_beside_meshes(told):
     for i, pose in enumerate(poses):
         point, pose = pose[:3, 3], poses[(i + 1) % len(poses)]
         near = toccata.nearest_point(point, knot, pose)
-        ours["nearest"].append([i, *numbers_of(near, "found lower upper point element face status")])
+        ours["nearest"].append([i, *numbers_of(near, "lower upper point element face status")])
         side, winds = toccata.locate(point, knot, pose)
         ours["located"].append([i, float(side), float(winds)])
         ours["winding"].append([i, *numbers_of(toccata.generalized_winding_number(point, opened, pose), "value lower upper status")])

@@ -52,11 +52,11 @@ def test_a_turn_meets_what_no_straight_way_does(knot):
     assert toccata.overlap(BOX, BALL, turning.at(hit.upper * 1.001), (0, 1.2, 0))
     assert not toccata.sweep(BOX, turning, BALL, (0, 2, 0))
     near = toccata.sweep(BOX, turning, BALL, (0, 1.7, 0), stop_before=0.3)
-    assert near.hit and not toccata.sweep(BOX, turning, BALL, (0, 1.7, 0)).hit
+    assert near and toccata.sweep(BOX, turning, BALL, (0, 1.7, 0)) is None
     motions = [toccata.RigidMotion.between(m, n) for m, n in zip(matrices(12, 3, 3), matrices(12, 3, 4))]
     for threads in (1, 2):
         rows = toccata.sweep_each(BOX, motions, knot, threads=threads)
-        assert 0 < rows["hit"].sum()
+        assert 0 < rows["found"].sum()
         assert all(same(toccata.sweep(BOX, motion, knot), row) for motion, row in zip(motions, rows))
     with pytest.raises(toccata.Error, match="motion 0"):
         toccata.sweep_each(BOX, [toccata.RigidMotion(numpy.zeros((3, 4)))], knot)
@@ -67,9 +67,9 @@ def test_features_that_move():
     ends = starts.copy()
     ends[:, 0, 2] = -1
     found = toccata.vertex_face_impacts(starts, ends)
-    assert found["hit"].tolist() == [True, False] and found["lower"][0] == found["upper"][0] == 0.5
+    assert found["found"].tolist() == [True, False] and found["lower"][0] == found["upper"][0] == 0.5
     edges = toccata.edge_edge_impacts([[[-1, 0, 1], [1, 0, 1], [0, -1, 0], [0, 1, 0]]], [[[-1, 0, -1], [1, 0, -1], [0, -1, 0], [0, 1, 0]]])
-    assert edges["hit"].tolist() == [True] and edges["upper"][0] == 0.5
+    assert edges["found"].tolist() == [True] and edges["upper"][0] == 0.5
     with pytest.raises(toccata.Error, match=r"\(N, 4, 3\)"):
         toccata.vertex_face_impacts(starts, ends[:1])
 
@@ -93,11 +93,11 @@ def test_a_motion_may_be_told_by_a_function(knot):
     motion = toccata.RigidMotion.of(turned, speed=8, turns=0.25)
     assert motion.at(0.5) == turned(0.5) and not motion.pieces
     hit = toccata.sweep(box, (0, 0, 0), ball, motion)
-    assert hit.hit and toccata.distance(box, ball, pose_b=turned(hit.lower)).upper < 1e-6 * 8
+    assert hit and toccata.distance(box, ball, pose_b=turned(hit.lower)).upper < 1e-6 * 8
     assert all(not toccata.overlap(box, ball, pose_b=turned(s)) for s in numpy.linspace(0, hit.lower * 0.999, 50))
     assert not toccata.sweep(box, (9, 9, 9), ball, motion)
     hits = toccata.sweep_each(ball, [motion] * 4, box, threads=2)
-    assert (hits["hit"]).all() and len(set(hits["lower"].tolist())) == 1
+    assert (hits["found"]).all() and len(set(hits["lower"].tolist())) == 1
     fast = toccata.RigidMotion.of(lambda s: (9 - 9 * s, 0, 0), speed=1)
     with pytest.raises(toccata.Error, match="faster"):
         toccata.sweep(box, (0, 0, 0), ball, fast)

@@ -59,18 +59,18 @@ def test_rays_and_moving_shapes_meet_the_first(scene):
     assert 0 < rays["found"].sum() < 40 and 0 < casts["found"].sum() < 40
     for i in range(40):
         hits = [toccata.cast_ray(origins[i], motions[i], s, p) for s, p in objects]
-        first = min((h.upper, k) for k, h in enumerate(hits) if h.hit) if any(hits) else None
+        first = min((h.upper, k) for k, h in enumerate(hits) if h) if any(hits) else None
         single = index.cast_ray(origins[i], motions[i])
         assert (single is None) == (first is None) == (not rays[i]["found"])
         if first is not None:
             assert (single.upper, single.object) == first and same(single, rays[i][list(rays.dtype.names[1:])])
             through = index.cast_ray_through(origins[i], motions[i])
-            assert sorted(through["object"].tolist()) == [k for k, h in enumerate(hits) if h.hit]
+            assert sorted(through["object"].tolist()) == [k for k, h in enumerate(hits) if h]
         moved = [toccata.cast_shape(BALL, motions[i], s, origins[i], p) for s, p in objects]
         cast = index.cast_shape(BALL, motions[i], origins[i])
         assert (cast is None) == (not any(moved)) == (not casts[i]["found"])
         if cast is not None:
-            assert cast.upper == min(h.upper for h in moved if h.hit) and same(cast, casts[i][list(casts.dtype.names[1:])])
+            assert cast.upper == min(h.upper for h in moved if h) and same(cast, casts[i][list(casts.dtype.names[1:])])
 
 
 @pytest.mark.parametrize("threads", [1, 2, 0])

@@ -63,8 +63,8 @@ def examples() -> dict[str, list]:
     robot_scene = a_scene()
     values = [
         *one_of_each(), toccata.Pose(), toccata.Pose.rotation((1, 2, 3), 40), toccata.SceneInstance(BALL), toccata.SceneInstance(BALL, NEAR, name="ball"),
-        index, toccata.SceneIndex([BALL]), toccata.Body(BALL), toccata.Body(BALL, NEAR, margin=0.5, user_data=7, name="ball", group=2, mask=3),
-        toccata.BodyFilter(), toccata.BodyFilter(mask=2, group=1), toccata.BodyFilter(except_bodies=[first]), first,
+        index, toccata.SceneIndex([BALL]), toccata.Body(BALL), toccata.Body(BALL, NEAR, margin=0.5, user_data=7, name="ball", category=2, mask=3),
+        toccata.BodyFilter(), toccata.BodyFilter(mask=2, category=1), toccata.BodyFilter(except_bodies=[first]), first,
         toccata.RigidMotion(), turning, toccata.RigidMotion.through([0, 0.25, 1], [(0, 0, 0), NEAR, toccata.Pose.rotation((0, 0, 1), 90)]),
         turning.carrying((1, 0, 0)), answer, toccata.check_all([BALL]), step.begin, step.persist, step.end, step, world.pairs, ground.step(),
         parts, *parts.parts[:2], *toccata.mesh_faults(open_box), toccata.MoverOptions(), toccata.MoverOptions(skin=0.5), *steps,

@@ -51,11 +51,11 @@ def test_steps_tell_what_begins_persists_and_ends(knot, threads):
 def test_bodies_come_and_go():
     world = toccata.World()
     first = world.add(BOX, (0, 0, 0), name="first", user_data=7, type=toccata.BodyType.static_body)
-    second = world.add(toccata.Body(BALL, (0.5, 0, 0), group=2, mask=1))
+    second = world.add(toccata.Body(BALL, (0.5, 0, 0), category=2, mask=1))
     assert first in world and second in world and 5 not in world
     assert world[first].name == "first" and world[first].user_data == 7 and world[first].shape == BOX
     assert len(world.step().begin) == 1
-    world.replace(second, toccata.Body(BALL, (0.5, 0, 0), group=2, mask=2))
+    world.replace(second, toccata.Body(BALL, (0.5, 0, 0), category=2, mask=2))
     assert len(world.step().end) == 1
     world.remove(first)
     assert first not in world and world.bodies["index"].tolist() == [second.index]

@@ -44,7 +44,7 @@ begun: NDArray[numpy.void] = step.begin.pairs
 world.move(body, pose)
 world.move(world.add_each([mesh, mesh]), numpy.zeros((2, 4, 4)))
 motion: toccata.RigidMotion = toccata.RigidMotion.between(pose, (1, 2, 3))
-swept: toccata.ShapeHit = toccata.sweep(mesh, motion, mesh, pose)
+swept: toccata.ShapeHit | None = toccata.sweep(mesh, motion, mesh, pose)
 checked: toccata.CheckAnswer = toccata.check_all([mesh, mesh], clearance=0.1)
 parts: list[toccata.ConvexPart] = toccata.decompose(mesh).parts
 pairs: NDArray[numpy.uint32] = toccata.overlapping_pairs(numpy.zeros((4, 2, 3)))

@@ -745,13 +745,7 @@ class Relation:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class ShapeHit:
-    """
-    Where a moving shape first meets another. True in a condition exactly when something is met.
-    """
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
+    """Where a moving shape first meets another."""
 
     @property
     def lower(self) -> float:
@@ -801,8 +795,6 @@ class ShapeHit:
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
-    def __bool__(self) -> bool: ...
-
 def overlap(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> bool:
     """
     Have the two posed shapes a point in common? Exact; touching counts, and a shape inside a solid.
@@ -846,9 +838,10 @@ def penetration(a: Shape, b: Shape, pose_a: toccata._typing.PoseLike | None = No
     half-spaces.
     """
 
-def cast_shape(a: Shape, motion: numpy.typing.ArrayLike, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
+def cast_shape(a: Shape, motion: numpy.typing.ArrayLike, b: Shape, pose_a: toccata._typing.PoseLike | None = None, pose_b: toccata._typing.PoseLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit | None:
     """
-    Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands.
+    Where A, moved from its pose by motion (shape (3,), in the world) without turning, first meets B, which stands;
+    None where it does not.
 
     lower and upper are fractions of the way, from 0 to 1. That nothing is met is proved (conservative advancement: B. Mirtich,
     "Impulse-based dynamic simulation of rigid body systems", 1996). Lengths are in the unit of the coordinates. Raises Error like
@@ -857,7 +850,7 @@ def cast_shape(a: Shape, motion: numpy.typing.ArrayLike, b: Shape, pose_a: tocca
 
 def cast_shape_each(a: Shape, motions: numpy.typing.ArrayLike, b: Shape, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    cast_shape of many motions, shape (N, 3), in the world and the unit of the coordinates, and poses, N or one of each: a structured array with the members of ShapeHit. Raises Error naming the least query that is asked wrongly.
+    cast_shape of many motions, shape (N, 3), in the world and the unit of the coordinates, and poses, N or one of each: a structured array with the members of ShapeHit, and found. Raises Error naming the least query that is asked wrongly.
     """
 
 def overlap_each(a: toccata._typing.ShapesLike, b: toccata._typing.ShapesLike, poses_a: toccata._typing.PosesLike | None = None, poses_b: toccata._typing.PosesLike | None = None, *, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Booleans:
@@ -896,13 +889,7 @@ def count_contacts_each(a: toccata._typing.ShapesLike, b: toccata._typing.Shapes
     """
 
 class RayHit:
-    """
-    What a ray meets first. True in a condition exactly when something is met.
-    """
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
+    """What a ray meets first."""
 
     @property
     def lower(self) -> float:
@@ -944,16 +931,8 @@ class RayHit:
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
-    def __bool__(self) -> bool: ...
-
 class SurfacePoint:
-    """
-    The point of a surface that is nearest to a given one. True in a condition exactly when one was found.
-    """
-
-    @property
-    def found(self) -> bool:
-        """There is one within the greatest distance."""
+    """The point of a surface that is nearest to a given one."""
 
     @property
     def lower(self) -> float:
@@ -991,11 +970,9 @@ class SurfacePoint:
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
-    def __bool__(self) -> bool: ...
-
-def nearest_point(point: numpy.typing.ArrayLike, surface: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf')) -> SurfacePoint:
+def nearest_point(point: numpy.typing.ArrayLike, surface: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf')) -> SurfacePoint | None:
     """
-    The nearest point of the surface of a posed shape, also from within.
+    The nearest point of the surface of a posed shape, also from within; None where all of it is farther than max_distance.
 
     The point has the shape (3,), in the world. Nothing farther than max_distance is found, but for 1e-12 of it. In the unit of
     the coordinates. By the tree of a mesh, the nearest boxes first (N. Roussopoulos, S. Kelley, F. Vincent, "Nearest neighbor
@@ -1009,7 +986,7 @@ def nearest_points(point: numpy.typing.ArrayLike, k: int, surface: Shape, pose: 
 
 def nearest_point_each(points: numpy.typing.ArrayLike, surface: Shape, pose: toccata._typing.PoseLike | None = None, max_distance: float = float('inf'), *, threads: int = 0) -> toccata._typing.Answers:
     """
-    nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint, in the unit of the coordinates. Raises Error like nearest_point, naming the point.
+    nearest_point of many points, shape (N, 3), on all cores: a structured array with the members of SurfacePoint, and found, in the unit of the coordinates. Raises Error like nearest_point, naming the point.
     """
 
 class Side(enum.IntEnum):
@@ -1144,9 +1121,10 @@ def generalized_winding_number_each(points: numpy.typing.ArrayLike, mesh: Shape,
     generalized_winding_number of many points, shape (N, 3), on all cores: a structured array with the members of WindingNumber. Raises Error like it, naming the point.
     """
 
-def cast_ray(origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, target: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic) -> RayHit:
+def cast_ray(origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, target: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic) -> RayHit | None:
     """
-    Where the ray from origin to origin + motion first meets the posed shape; both of the shape (3,), in the world.
+    Where the ray from origin to origin + motion first meets the posed shape, None where it meets nothing, which is proved;
+    both of the shape (3,), in the world.
 
     lower and upper are fractions of the way, from 0 to 1: a ray ends at origin + motion. No ray passes between two triangles
     that share an edge. A solid is met at once from within; Solid.none asks its surface. Lengths are in the unit of the
@@ -1155,7 +1133,7 @@ def cast_ray(origin: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, tar
 
 def cast_ray_each(origins: numpy.typing.ArrayLike, motions: numpy.typing.ArrayLike, target: Shape, pose: toccata._typing.PoseLike | None = None, *, solid: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    cast_ray of many rays, origins and motions of the shape (N, 3) in the world and the unit of the coordinates, on all cores: a structured array with the members of RayHit. Raises Error like cast_ray, naming the ray.
+    cast_ray of many rays, origins and motions of the shape (N, 3) in the world and the unit of the coordinates, on all cores: a structured array with the members of RayHit, and found. Raises Error like cast_ray, naming the ray.
     """
 
 class IntersectionKind(enum.IntEnum):
@@ -1341,17 +1319,11 @@ class SceneInstance:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class SceneRayHit:
-    """
-    What a ray meets first. True in a condition exactly when something is met.
-    """
+    """What a ray meets first."""
 
     @property
     def object(self) -> int:
         """Of which of the objects: its index."""
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
 
     @property
     def lower(self) -> float:
@@ -1394,17 +1366,11 @@ class SceneRayHit:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class SceneShapeHit:
-    """
-    Where a moving shape first meets another. True in a condition exactly when something is met.
-    """
+    """Where a moving shape first meets another."""
 
     @property
     def object(self) -> int:
         """Of which of the objects: its index."""
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
 
     @property
     def lower(self) -> float:
@@ -2270,9 +2236,10 @@ class RigidMotion:
 
     def __hash__(self) -> int: ...
 
-def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit:
+def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic) -> ShapeHit | None:
     """
-    When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. Free is proved for all of the way.
+    When two shapes that move and turn first meet, as a ShapeHit: times from 0 to 1. None where they do not, which is proved
+    for all of the way.
 
     Motions are RigidMotions, or poses for what rests. stop_before: when they come as near as that, in the unit of the
     coordinates; negative: when they are so deep in each other. By conservative advancement (B. Mirtich, "Impulse-based dynamic
@@ -2282,7 +2249,7 @@ def sweep(a: Shape, motion_a: toccata._typing.MotionLike, b: Shape, motion_b: to
 
 def sweep_each(a: Shape, motions_a: Sequence[RigidMotion], b: Shape, motion_b: toccata._typing.MotionLike | None = None, *, stop_before: float = 0.0, solid_a: Solid = Solid.automatic, solid_b: Solid = Solid.automatic, threads: int = 0) -> toccata._typing.Answers:
     """
-    sweep of many motions of A, in the unit of the coordinates, on all cores: a structured array with the members of ShapeHit. Raises Error naming the motion.
+    sweep of many motions of A, in the unit of the coordinates, on all cores: a structured array with the members of ShapeHit, and found. Raises Error naming the motion.
     """
 
 def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: float = 0.0, max_parts: int = 1024, solid: Solid = Solid.automatic) -> tuple[Shape, float]:
@@ -2292,7 +2259,7 @@ def swept_volume(shape: Shape, motion: toccata._typing.MotionLike, *, excess: fl
 
 def vertex_face_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
     """
-    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of hit, lower and upper, two neighbouring multiples of 2**-40 (the cubic: X. Provot, "Collision and self-collision handling in cloth model dedicated to design garments", 1997). Raises Error for other shapes, and when a number is not finite.
+    When a moving point first meets a moving triangle, exactly, for many: shapes (N, 4, 3), in each the point and the three corners, at the times 0 and 1, in one frame and any unit; they move straight on. A structured array of found, lower and upper, two neighbouring multiples of 2**-40 (the cubic: X. Provot, "Collision and self-collision handling in cloth model dedicated to design garments", 1997). Raises Error for other shapes, and when a number is not finite.
     """
 
 def edge_edge_impacts(starts: numpy.typing.ArrayLike, ends: numpy.typing.ArrayLike, *, threads: int = 0) -> toccata._typing.Answers:
@@ -2464,12 +2431,12 @@ class Body:
     """
     A shape at its place in a World, and what is to be told of it.
 
-    Two bodies make a pair only if each is in a group of the other's mask (a bit each), and are one when they are at most the
+    Two bodies make a pair only if each is in a category of the other's mask (a bit each), and are one when they are at most the
     sum of their margins apart: lengths in the unit of the coordinates. The pose is in the world. Raises Error for what is no
     pose; the rest is looked at by World.add.
     """
 
-    def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> None: ...
+    def __init__(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, category: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> None: ...
 
     @property
     def shape(self) -> Shape: ...
@@ -2484,7 +2451,7 @@ class Body:
     def solid(self) -> Solid: ...
 
     @property
-    def group(self) -> int: ...
+    def category(self) -> int: ...
 
     @property
     def mask(self) -> int: ...
@@ -2509,9 +2476,9 @@ class Body:
 class BodyFilter:
     """Which bodies of a World are asked. Raises Error for what is no BodyId."""
 
-    def __init__(self, *, mask: int = 18446744073709551615, group: int = 0, except_bodies: toccata._typing.BodiesLike | None = None) -> None:
+    def __init__(self, *, mask: int = 18446744073709551615, category: int = 0, except_bodies: toccata._typing.BodiesLike | None = None) -> None:
         """
-        Those that are in one of the groups of the mask (a bit each); with a group, of them those whose own mask has it; and none of except_bodies.
+        Those that are in one of the categories of the mask (a bit each); with a category, of them those whose own mask has it; and none of except_bodies.
         """
 
     def __repr__(self) -> str: ...
@@ -2610,17 +2577,11 @@ class WorldStep:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class BodyRayHit:
-    """
-    What a ray meets first. True in a condition exactly when something is met.
-    """
+    """What a ray meets first."""
 
     @property
     def body(self) -> BodyId:
         """Of which body."""
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
 
     @property
     def lower(self) -> float:
@@ -2663,17 +2624,11 @@ class BodyRayHit:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 class BodyShapeHit:
-    """
-    Where a moving shape first meets another. True in a condition exactly when something is met.
-    """
+    """Where a moving shape first meets another."""
 
     @property
     def body(self) -> BodyId:
         """Of which body."""
-
-    @property
-    def hit(self) -> bool:
-        """Something is met; that nothing is met is proved."""
 
     @property
     def lower(self) -> float:
@@ -2797,12 +2752,12 @@ class World:
     def add(self, body: Body) -> BodyId: ...
 
     @overload
-    def add(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> BodyId:
+    def add(self, shape: Shape, pose: toccata._typing.PoseLike | None = None, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, category: int = 1, mask: int = 18446744073709551615, margin: float = 0.0, user_data: int = 0, name: str = '') -> BodyId:
         """
         The id given to a body: one made before, or of a shape at a pose. Raises Error for a margin that is no length and for a pose that its shape may not have. The pose is in the world, the margin in the unit of the coordinates.
         """
 
-    def add_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, margins: numpy.typing.ArrayLike = 0.0, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, group: int = 1, mask: int = 18446744073709551615) -> toccata._typing.Answers:
+    def add_each(self, shapes: toccata._typing.ShapesLike, poses: toccata._typing.PosesLike | None = None, margins: numpy.typing.ArrayLike = 0.0, *, type: BodyType = BodyType.dynamic_body, solid: Solid = Solid.automatic, category: int = 1, mask: int = 18446744073709551615) -> toccata._typing.Answers:
         """
         Adds one shape at many poses, or as many shapes, with one margin or as many, shape (N,), in the unit of the coordinates; the array of their ids (index, generation, world), in order. Raises Error like add.
         """
@@ -2853,7 +2808,7 @@ class World:
 
     def any_overlap(self) -> bool:
         """
-        Whether any two bodies have a point in common where they are now, whatever their types, groups, margins and rules. Exact; needs no step, and stops at the first two that it finds.
+        Whether any two bodies have a point in common where they are now, whatever their types, categories, margins and rules. Exact; needs no step, and stops at the first two that it finds.
         """
 
     def any_contact(self) -> tuple[BodyId, BodyId] | None:

@@ -517,8 +517,8 @@ def continuousCollide(
     (a, pose_a), (b, pose_b) = o1._posed(), o2._posed()
     kind = request.ccd_motion_type
     hit = toccata.sweep(a, _motion(pose_a, tf1_end, kind), b, _motion(pose_b, tf2_end, kind))
-    time = hit.lower if hit.hit else 1.0
-    result.is_collide = result.is_collide or hit.hit
+    time = hit.lower if hit else 1.0
+    result.is_collide = result.is_collide or hit is not None
     result.time_of_contact = min(time, result.time_of_contact)
     return time
 

@@ -11,7 +11,7 @@ namespace toccata {
 namespace {
 
 /// What most bodies have as it is if nothing is said.
-constexpr std::tuple fields_of_body{&Body::type,      &Body::solid,    &Body::group,
+constexpr std::tuple fields_of_body{&Body::type,      &Body::solid,    &Body::category,
                                     &Body::mask,      &Body::margin,   &Body::max_acceleration,
                                     &Body::max_speed, &Body::user_data};
 

@@ -54,7 +54,7 @@ class ApproachSearch {
  public:
   ApproachSearch(const ScaledPolygon<Count>& polygon, double latest) : polygon_(polygon), latest_(latest) {}
 
-  [[nodiscard]] Approach search() const;
+  [[nodiscard]] std::optional<Approach> search() const;
 
  private:
   [[nodiscard]] bool stays_farther(double from, double to) const;
@@ -90,14 +90,14 @@ template <std::size_t Count>
 Approach ApproachSearch<Count>::told_from(double lower) const {
   for (int cells = 1; cells <= cells_to_the_end; cells *= 2) {
     const double upper = std::min(lower + cells * cell_length, 1.0);
-    if (is_within(upper)) return {{true, lower, upper}, Status::exact};
+    if (is_within(upper)) return {{lower, upper}, Status::exact};
   }
-  return {{true, lower, lower + cell_length}, Status::undecided};
+  return {{lower, lower + cell_length}, Status::undecided};
 }
 
 template <std::size_t Count>
-Approach ApproachSearch<Count>::search() const {
-  if (is_within(0)) return {{true, 0, 0}, Status::exact};
+std::optional<Approach> ApproachSearch<Count>::search() const {
+  if (is_within(0)) return Approach{{0, 0}, Status::exact};
   double index = 0;
   int level = 0;
   for (int looks = 0; looks < most_looks; ++looks) {
@@ -111,20 +111,20 @@ Approach ApproachSearch<Count>::search() const {
     for (; level > 0 && std::fmod(index, 2) == 0; --level) index /= 2;
     if (level == 0 || std::ldexp(index, -level) > latest_) return {};
   }
-  return {{true, std::ldexp(index, -level), 1}, Status::not_converged};
+  return Approach{{std::ldexp(index, -level), 1}, Status::not_converged};
 }
 
 template <std::size_t Count>
-Approach approach_of(const MovingPolygon<Count>& polygon, double separation, double latest) {
+std::optional<Approach> approach_of(const MovingPolygon<Count>& polygon, double separation, double latest) {
   return ApproachSearch<Count>(ScaledPolygon<Count>(with_points_in_order(polygon), separation), latest).search();
 }
 
 }  // namespace
 
-Approach time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest) {
+std::optional<Approach> time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest) {
   return approach_of(polygon, separation, latest);
 }
-Approach time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest) {
+std::optional<Approach> time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest) {
   return approach_of(polygon, separation, latest);
 }
 

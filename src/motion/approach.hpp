@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "motion/moving_polygon.hpp"
 #include "toccata/core/status.hpp"
 
@@ -9,12 +11,15 @@ namespace toccata {
 struct Approach {
   TimeOfImpact time;
   Status status = Status::exact;
+  friend constexpr bool operator==(const Approach&, const Approach&) = default;
 };
 
 /// For finite coordinates and a positive, finite separation. The same bits for every order of corners, ends and edges.
-/// Where `lower` would be later than `latest`, it may be answered that there is no approach, which takes less time.
-[[nodiscard]] Approach time_of_approach(const MovingPolygon<3>& polygon, double separation, double latest = 1);
-[[nodiscard]] Approach time_of_approach(const MovingPolygon<4>& polygon, double separation, double latest = 1);
+/// None where they stay farther apart; perhaps none where `lower` would be later than `latest`, which takes less time.
+[[nodiscard]] std::optional<Approach> time_of_approach(const MovingPolygon<3>& polygon, double separation,
+                                                       double latest = 1);
+[[nodiscard]] std::optional<Approach> time_of_approach(const MovingPolygon<4>& polygon, double separation,
+                                                       double latest = 1);
 
 /// A fraction in [0, 1] such that the features stay more than the separation, which may be 0, apart when each of their
 /// points goes any part of its way up to it, whatever the parts. 0 where that is not proved for more.

@@ -231,7 +231,7 @@ Found CertainContact<Count>::look_at_root(const BernsteinCubic& cubic, const Tim
   const std::optional<RootPlace> place = place_of_root(guess, cubic.b[0] > 0);
   if (!place) return Found::doubt;
   if (!place->is_in_cell) return look_at_moment(place->start);
-  contact_ = {true, place->start, place->start + cell_length};
+  contact_ = {place->start, place->start + cell_length};
   return inside_at_root(*place, guess, std::ldexp(slope_at(cubic.b, fraction), part.depth));
 }
 
@@ -240,7 +240,7 @@ template <std::size_t Count>
 Found CertainContact<Count>::look_at_moment(double t) {
   const std::optional<Moment<Count>> moment = moment_at(polygon_, t);
   if (!moment || moment->volume_sign() != Sign::zero) return Found::doubt;
-  contact_ = {true, t, t};
+  contact_ = {t, t};
   return moment->is_contact() ? Found::contact : Found::nothing;
 }
 
@@ -305,25 +305,26 @@ Found CertainContact<Count>::inside_near_root(const RootPlace& cell, double gues
 }
 
 template <std::size_t Count>
-std::optional<TimeOfImpact> certain_contact_of(const MovingPolygon<Count>& polygon) {
+CertainAnswer<TimeOfImpact> certain_contact_of(const MovingPolygon<Count>& polygon) {
   const RoundedPolygon<Count> corners = rounded(polygon);
   for (int axis = 0; axis < 3; ++axis)
-    if (is_apart_along(corners, axis)) return TimeOfImpact{};
+    if (is_apart_along(corners, axis)) return {true};
   const BernsteinVolume volume = bernstein_volume(corners[0], corners[1], corners[2]);
-  if (volume.is_certainly_not_zero()) return TimeOfImpact{};
+  if (volume.is_certainly_not_zero()) return {true};
   CertainContact<Count> contact(polygon, corners);
   Found found = contact.search(cubic_of(volume), {});
   if (found == Found::doubt) found = contact.search(precise_cubic(polygon), {});
   if (found == Found::doubt) return {};
-  return found == Found::contact ? contact.contact() : TimeOfImpact{};
+  return found == Found::contact ? CertainAnswer<TimeOfImpact>{true, contact.contact()}
+                                 : CertainAnswer<TimeOfImpact>{true};
 }
 
 }  // namespace
 
-std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<3>& polygon) {
+CertainAnswer<TimeOfImpact> certain_time_of_impact(const MovingPolygon<3>& polygon) {
   return certain_contact_of(polygon);
 }
-std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<4>& polygon) {
+CertainAnswer<TimeOfImpact> certain_time_of_impact(const MovingPolygon<4>& polygon) {
   return certain_contact_of(polygon);
 }
 

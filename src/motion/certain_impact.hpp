@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
-
+#include "core/certain_answer.hpp"
 #include "motion/moving_polygon.hpp"
 
 namespace toccata {
 
-/// What doubles, and numbers of twice their length, are certain of: the answer, or nothing.
-[[nodiscard]] std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<3>& polygon);
-[[nodiscard]] std::optional<TimeOfImpact> certain_time_of_impact(const MovingPolygon<4>& polygon);
+/// As far as doubles, and numbers of twice their length, are certain.
+[[nodiscard]] CertainAnswer<TimeOfImpact> certain_time_of_impact(const MovingPolygon<3>& polygon);
+[[nodiscard]] CertainAnswer<TimeOfImpact> certain_time_of_impact(const MovingPolygon<4>& polygon);
 
 }  // namespace toccata

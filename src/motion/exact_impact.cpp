@@ -30,7 +30,7 @@ ContactCell contact_cell(PolynomialRoot& root) {
 
 TimeOfImpact told(const ContactCell& cell) {
   const double lower = std::ldexp(cell.index.convert_to<double>(), -static_cast<int>(contact_level));
-  return {true, lower, cell.is_inside ? lower + cell_length : lower};
+  return {lower, cell.is_inside ? lower + cell_length : lower};
 }
 
 /// The corners as polynomials in the time, over a common power of two.
@@ -157,9 +157,9 @@ std::optional<ContactCell> PolynomialPolygon::first_contact() {
 
 }  // namespace
 
-TimeOfImpact time_of_impact_by_integers(std::span<const MovingCorner> polygon) {
+std::optional<TimeOfImpact> time_of_impact_by_integers(std::span<const MovingCorner> polygon) {
   const std::optional<ContactCell> cell = PolynomialPolygon(corners_of(polygon)).first_contact();
-  return cell ? told(*cell) : TimeOfImpact{};
+  return cell ? std::optional(told(*cell)) : std::nullopt;
 }
 
 }  // namespace toccata

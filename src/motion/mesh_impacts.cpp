@@ -52,11 +52,14 @@ class ImpactSink {
 
   template <std::size_t Count>
   bool see(const MeshFeature& a, const MeshFeature& b, const MovingPolygon<Count>& polygon) {
-    const Approach contact = separation_ > 0 ? time_of_approach(polygon, separation_, latest_->get())
-                                             : Approach{time_of_finite(polygon), Status::exact};
-    return !contact.time.hit || add({a, b, contact.time, contact.status});
+    if (separation_ > 0) {
+      const std::optional<Approach> near = time_of_approach(polygon, separation_, latest_->get());
+      return !near || add({a, b, near->time, near->status});
+    }
+    const std::optional<TimeOfImpact> contact = time_of_finite(polygon);
+    return !contact || add({a, b, *contact, Status::exact});
   }
-  bool see_pierced(const MeshFeature& a, const MeshFeature& b) { return add({a, b, {true, 0, 0}, Status::exact}); }
+  bool see_pierced(const MeshFeature& a, const MeshFeature& b) { return add({a, b, {0, 0}, Status::exact}); }
 
   /// Times of contact are exact, and what meets after the `upper` of another comes after it. Where an approach begins
   /// is a matter of its search, which may tell it a little too early: boxes tell nothing of that.

@@ -35,10 +35,10 @@ inline constexpr unsigned contact_level = 40;
 inline constexpr double cell_length = 0x1p-40;
 
 /// For finite coordinates, which are not checked.
-[[nodiscard]] TimeOfImpact time_of_finite(const MovingPolygon<3>& polygon);
-[[nodiscard]] TimeOfImpact time_of_finite(const MovingPolygon<4>& polygon);
+[[nodiscard]] std::optional<TimeOfImpact> time_of_finite(const MovingPolygon<3>& polygon);
+[[nodiscard]] std::optional<TimeOfImpact> time_of_finite(const MovingPolygon<4>& polygon);
 
 /// The last stage: by signs of polynomials with integers. For all finite doubles, and slow.
-[[nodiscard]] TimeOfImpact time_of_impact_by_integers(std::span<const MovingCorner> polygon);
+[[nodiscard]] std::optional<TimeOfImpact> time_of_impact_by_integers(std::span<const MovingCorner> polygon);
 
 }  // namespace toccata

@@ -55,26 +55,28 @@ class Sweep {
         start_{motion_a.at(0), motion_b.at(0), query.solid_a, query.solid_b},
         workspace_(workspace) {}
 
-  ShapeHit answer() {
-    if (const auto hit = straight()) return *hit;
+  std::optional<ShapeHit> answer() {
+    if (const auto way = straight_relative_way()) return along_straight(*way);
     require_defined();
-    if (const auto hit = at_start()) return *hit;
+    if (const auto hit = at_start()) return hit;
     const std::vector<double> times = times_of_change(motion_a_, motion_b_);
     workspace_.scratch().counts = {};
     for (std::size_t i = 1; i < times.size(); ++i)
-      if (const auto hit = within({times[i - 1], times[i]})) return *hit;
+      if (const auto hit = within({times[i - 1], times[i]})) return hit;
     return {};
   }
 
  private:
-  /// Seen from B, A goes straight on; where that is no way of doubles, nothing is told.
-  std::optional<ShapeHit> straight() {
+  /// How A goes straight on, seen from B; none where that is no way of doubles.
+  std::optional<Vec3> straight_relative_way() const {
     const Vec3 *way_a = straight_way(motion_a_), *way_b = straight_way(motion_b_);
     if (way_a == nullptr || way_b == nullptr || query_.stop_before != 0) return {};
-    const auto way = relative_way(*way_a, *way_b);
-    if (!way) return {};
-    ShapeHit hit = cast_shape(model_a_, *way, model_b_, start_, workspace_);
-    if (hit.hit) hit.point += hit.upper * *way_b;
+    return relative_way(*way_a, *way_b);
+  }
+
+  std::optional<ShapeHit> along_straight(const Vec3& way) {
+    std::optional<ShapeHit> hit = cast_shape(model_a_, way, model_b_, start_, workspace_);
+    if (hit) hit->point += hit->upper * *straight_way(motion_b_);
     return hit;
   }
 
@@ -92,7 +94,7 @@ class Sweep {
     const Distance found = distance(model_a_, model_b_, start_, workspace_);
     const Vec3 normal = found.upper > 0 ? normalized(found.on_a - found.on_b) : Vec3{};
     return ShapeHit{
-        {true, 0, 0, found.on_b, normal, found.status}, found.element_a, found.element_b, found.face_a, found.face_b};
+        {0, 0, found.on_b, normal, found.status}, found.element_a, found.element_b, found.face_a, found.face_b};
   }
 
   /// A function that is faster than its bound from one end to the other is found out, whatever else is looked at.
@@ -118,7 +120,7 @@ class Sweep {
       return tree_sweep(a, b, stretch, query_.stop_before, limit, workspace_.scratch().counts);
     const auto found = item_contact(a, 0, b, 0, stretch, gap_bounds(a, b, stretch), query_.stop_before);
     if (!found) return {};
-    return ShapeHit{{true, found->lower, found->upper, {}, found->normal, found->status}};
+    return ShapeHit{{found->lower, found->upper, {}, found->normal, found->status}};
   }
 
   /// The hit with where they meet, and elements and faces as the models count them.
@@ -146,14 +148,14 @@ class Sweep {
 
 }  // namespace
 
-ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
-               const SweepQuery& query) {
+std::optional<ShapeHit> sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
+                              const SweepQuery& query) {
   Workspace workspace;
   return sweep(a, motion_a, b, motion_b, query, workspace);
 }
 
-ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
-               const SweepQuery& query, Workspace& workspace) {
+std::optional<ShapeHit> sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
+                              const SweepQuery& query, Workspace& workspace) {
   if (!std::isfinite(query.stop_before))
     throw Error(fmt::format("a sweep: stop_before is {:g}; it has to be a finite length", query.stop_before));
   return Sweep(a, motion_a, b, motion_b, query, workspace).answer();

@@ -26,37 +26,37 @@ void check_finite(const Pair& pair, const std::string& which = "") {
 }
 
 template <std::size_t Count>
-TimeOfImpact time_of_polygon(const MovingPolygon<Count>& polygon) {
-  if (const std::optional<TimeOfImpact> answer = certain_time_of_impact(polygon)) return *answer;
+std::optional<TimeOfImpact> time_of_polygon(const MovingPolygon<Count>& polygon) {
+  if (const auto decided = certain_time_of_impact(polygon); decided.is_certain) return decided.answer;
   return time_of_impact_by_integers(polygon);
 }
 
 template <class Pair>
-std::vector<TimeOfImpact> answer_each(std::span<const Pair> pairs, int threads) {
+std::vector<std::optional<TimeOfImpact>> answer_each(std::span<const Pair> pairs, int threads) {
   for (std::size_t i = 0; i < pairs.size(); ++i) check_finite(pairs[i], " of pair " + std::to_string(i));
-  std::vector<TimeOfImpact> answers(pairs.size());
+  std::vector<std::optional<TimeOfImpact>> answers(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i) { answers[i] = time_of_finite(differences(pairs[i])); });
   return answers;
 }
 
 template <class Pair>
-TimeOfImpact answer_of(const Pair& pair) {
+std::optional<TimeOfImpact> answer_of(const Pair& pair) {
   check_finite(pair);
   return time_of_finite(differences(pair));
 }
 
 }  // namespace
 
-TimeOfImpact time_of_finite(const MovingPolygon<3>& polygon) { return time_of_polygon(polygon); }
-TimeOfImpact time_of_finite(const MovingPolygon<4>& polygon) { return time_of_polygon(polygon); }
+std::optional<TimeOfImpact> time_of_finite(const MovingPolygon<3>& polygon) { return time_of_polygon(polygon); }
+std::optional<TimeOfImpact> time_of_finite(const MovingPolygon<4>& polygon) { return time_of_polygon(polygon); }
 
-TimeOfImpact time_of_impact(const VertexFace& pair) { return answer_of(pair); }
-TimeOfImpact time_of_impact(const EdgeEdge& pair) { return answer_of(pair); }
+std::optional<TimeOfImpact> time_of_impact(const VertexFace& pair) { return answer_of(pair); }
+std::optional<TimeOfImpact> time_of_impact(const EdgeEdge& pair) { return answer_of(pair); }
 
-std::vector<TimeOfImpact> time_of_impact_each(std::span<const VertexFace> pairs, int threads) {
+std::vector<std::optional<TimeOfImpact>> time_of_impact_each(std::span<const VertexFace> pairs, int threads) {
   return answer_each(pairs, threads);
 }
-std::vector<TimeOfImpact> time_of_impact_each(std::span<const EdgeEdge> pairs, int threads) {
+std::vector<std::optional<TimeOfImpact>> time_of_impact_each(std::span<const EdgeEdge> pairs, int threads) {
   return answer_each(pairs, threads);
 }
 

@@ -50,15 +50,14 @@ class TreeSweep {
     for (const ItemPair& items : candidates()) {
       // Found anew in the whole stretch, so that the numbers do not depend on how it was halved.
       if (const auto contact = contact_of(items, stretch_))
-        keep_first(
-            first,
-            {{true, contact->lower, contact->upper, {}, contact->normal, contact->status}, items.first, items.second});
+        keep_first(first,
+                   {{contact->lower, contact->upper, {}, contact->normal, contact->status}, items.first, items.second});
     }
     // What was near in a part of the stretch, and is not when all of it is looked at, has cut off what comes later.
     if (!first && !found_.empty()) {
       const Found& near = *std::min_element(
           found_.begin(), found_.end(), [](const Found& one, const Found& other) { return one.lower < other.lower; });
-      first = {{true, near.lower, near.lower, {}, {}, Status::undecided}, near.items.first, near.items.second};
+      first = {{near.lower, near.lower, {}, {}, Status::undecided}, near.items.first, near.items.second};
     }
     return first;
   }

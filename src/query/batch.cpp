@@ -67,9 +67,9 @@ std::size_t row_of_rays(std::size_t count, int threads) {
 }
 
 /// Rows of rays, each on one thread.
-std::vector<RayHit> hits_of(const RaySearch& search, const std::vector<PreparedRay>& rays,
-                            const BatchOptions& options) {
-  std::vector<RayHit> hits(rays.size());
+std::vector<std::optional<RayHit>> hits_of(const RaySearch& search, const std::vector<PreparedRay>& rays,
+                                           const BatchOptions& options) {
+  std::vector<std::optional<RayHit>> hits(rays.size());
   TaskReporter reporter(options.progress, rays.size());
   const Chunks rows{rays.size(), row_of_rays(rays.size(), options.threads)};
   parallel_for(rows.size(), options.threads, [&](std::size_t row) {
@@ -143,13 +143,14 @@ std::vector<Manifold> manifold_each(const Batch<PairQuery>& batch, const BatchOp
   return ask_pairs(batch, options, [](auto&... question) { return manifold(question...); });
 }
 
-std::vector<ShapeHit> cast_shape_each(const Batch<CastQuery>& batch, const BatchOptions& options) {
+std::vector<std::optional<ShapeHit>> cast_shape_each(const Batch<CastQuery>& batch, const BatchOptions& options) {
   return ask_pairs(batch, options, [](const Model& a, const Model& b, const CastQuery& query, Workspace& workspace) {
     return cast_shape(a, query.motion, b, query.poses, workspace);
   });
 }
 
-std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target, const BatchOptions& options) {
+std::vector<std::optional<RayHit>> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
+                                                 const BatchOptions& options) {
   require_one_each(options.warm_start, queries.size(), "query");
   if (const std::unique_ptr<const RaySearch> common = common_search(queries, target))
     return hits_of(*common, prepared(queries), options);
@@ -158,20 +159,21 @@ std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model
   });
 }
 
-std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
+std::vector<std::optional<RayHit>> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options) {
   return ask_each(pairs, "pair", options, [](const RayPair& pair, Workspace&) {
     const RayQuery& query = pair.query;
     return cast_ray(query.origin, query.motion, pair.target, query.pose, query.solid);
   });
 }
 
-std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
-                                             const NearestQuery& query, const BatchOptions& options) {
+std::vector<std::optional<SurfacePoint>> nearest_point_each(std::span<const Vec3> points, const Model& surface,
+                                                            const NearestQuery& query, const BatchOptions& options) {
   const NearestSearch search(surface, query, points.size());
-  return ask_in_rows<SurfacePoint>(points, options,
-                                   [&](std::span<const Vec3> row, std::span<SurfacePoint> found, Workspace& workspace) {
-                                     search.nearest(row, found, workspace.scratch());
-                                   });
+  return ask_in_rows<std::optional<SurfacePoint>>(
+      points, options,
+      [&](std::span<const Vec3> row, std::span<std::optional<SurfacePoint>> found, Workspace& workspace) {
+        search.nearest(row, found, workspace.scratch());
+      });
 }
 
 std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,

@@ -108,8 +108,8 @@ Json json_of(const Manifold& manifold) {
 Json json_of(const std::vector<ContactManifold>& manifolds) {
   Json list = Json::array();
   for (const ContactManifold& one : manifolds) {
-    Json entry = {{"triangle_a", one.contact.element_a},
-                  {"triangle_b", one.contact.element_b},
+    Json entry = {{"element_a", one.contact.element_a},
+                  {"element_b", one.contact.element_b},
                   {"face_a", one.contact.face_a},
                   {"face_b", one.contact.face_b}};
     entry.update(json_of(one.manifold));

@@ -223,10 +223,10 @@ void NarrowPhase::add_first_contact(std::span<const Body> bodies, const BodiesOn
   const auto [first, second] = pair.pair;
   const Body &a = bodies[first], &b = bodies[second];
   if ((!on_the_way.contains(first) && !on_the_way.contains(second)) || !has_first_contact(a, b)) return;
-  const ShapeHit hit =
+  const std::optional<ShapeHit> hit =
       sweep(a.model, motion_of(first, bodies, on_the_way), b.model, motion_of(second, bodies, on_the_way),
             {.solid_a = a.solid, .solid_b = b.solid}, cleared(workspace));
-  if (!hit.hit) return;
+  if (!hit) return;
   PairDetails details = pair.details ? *pair.details : details_of(a, b, false, cleared(workspace));
   details.first_contact = hit;
   pair.details = std::make_shared<const PairDetails>(std::move(details));

@@ -60,9 +60,9 @@ InstanceView BodyPairSearch::at(Index body) const {
 bool BodyPairSearch::is_wanted(const IndexPair& pair) const {
   const World& world = *bodies_.world;
   const BodyPair ids = named(pair);
-  const std::uint64_t a = world.body(ids.a).group, b = world.body(ids.b).group;
-  const bool are_chosen = ((a & pairs_.first_groups) != 0 && (b & pairs_.second_groups) != 0) ||
-                          ((a & pairs_.second_groups) != 0 && (b & pairs_.first_groups) != 0);
+  const std::uint64_t a = world.body(ids.a).category, b = world.body(ids.b).category;
+  const bool are_chosen = ((a & pairs_.first_categories) != 0 && (b & pairs_.second_categories) != 0) ||
+                          ((a & pairs_.second_categories) != 0 && (b & pairs_.first_categories) != 0);
   return are_chosen && world.pair_margin(ids.a, ids.b).has_value();
 }
 

@@ -31,7 +31,7 @@ std::string WorldBodies::name_of(Index object) const {
 
 bool WorldBodies::accepts(const BodyFilter& filter, Index object) const {
   const Body& body = world->body(id_of(object));
-  if ((body.group & filter.mask) == 0 || (filter.group != 0 && (body.mask & filter.group) == 0)) return false;
+  if ((body.category & filter.mask) == 0 || (filter.category != 0 && (body.mask & filter.category) == 0)) return false;
   return !filter.accepts || filter.accepts(id_of(object));
 }
 

@@ -133,7 +133,7 @@ void World::State::mark_changed(Index index) {
 
 void World::State::put(Index index, Body&& body, const Aabb& box) {
   Slot& slot = slots_[index];
-  slot.group = body.group;
+  slot.category = body.category;
   slot.mask = body.mask;
   slot.margin = body.margin;
   slot.type = body.type;

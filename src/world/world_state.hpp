@@ -63,7 +63,7 @@ class World::State {
  private:
   /// What decides about pairs before any shape is looked at.
   struct Slot {
-    std::uint64_t group = 0;
+    std::uint64_t category = 0;
     std::uint64_t mask = 0;
     double margin = 0;
     double rule_margin = 0;  ///< the largest of its rules

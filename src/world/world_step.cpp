@@ -20,7 +20,7 @@ bool World::State::may_meet(const Slot& a, const Slot& b) const {
     const bool both_static = a.type == BodyType::static_body && b.type == BodyType::static_body;
     if (both_static || !options_.kinematic_pairs) return false;
   }
-  return (a.group & b.mask) != 0 && (b.group & a.mask) != 0;
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
 std::optional<double> World::State::margin_of(const IndexPair& pair) const {

@@ -304,7 +304,7 @@ TEST_F(ShapeCommands, PenetrationTellsThePointsOfEachTriangleThatAShapeMeets) {
     ASSERT_EQ(pair["manifolds"].size(), 2U) << pair;
     for (std::size_t i = 0; i < 2; ++i) {
       const Json& one = pair["manifolds"][i];
-      EXPECT_EQ(one["triangle_a"], i);
+      EXPECT_EQ(one["element_a"], i);
       EXPECT_GE(one["points"].size(), 3U);
       EXPECT_NEAR(one["normal"][2].get<double>(), 1, 1e-12);
       for (const Json& point : one["points"]) EXPECT_NEAR(point["depth"].get<double>(), 0.0625, 1e-12) << shape;

@@ -85,10 +85,10 @@ std::vector<std::size_t> sizes_of_bodies(const std::vector<Body>& bodies) {
     const Body back = get_body(reader, to);
     EXPECT_TRUE(reader.is_at_end());
     EXPECT_EQ(back.pose, body.pose);
-    EXPECT_EQ(std::tie(back.type, back.solid, back.group, back.mask, back.margin, back.max_acceleration, back.max_speed,
-                       back.user_data, back.name),
-              std::tie(body.type, body.solid, body.group, body.mask, body.margin, body.max_acceleration, body.max_speed,
-                       body.user_data, body.name));
+    EXPECT_EQ(std::tie(back.type, back.solid, back.category, back.mask, back.margin, back.max_acceleration,
+                       back.max_speed, back.user_data, back.name),
+              std::tie(body.type, body.solid, body.category, body.mask, body.margin, body.max_acceleration,
+                       body.max_speed, body.user_data, body.name));
     EXPECT_EQ(back.model.shape().index(), body.model.shape().index());
     sizes.push_back(bytes.size());
   }
@@ -99,7 +99,7 @@ TEST(BytesOfRanks, BringBodiesBack) {
   Body other{Box({1, 2, 3}), Pose::rotation({1, 2, 3}, 40)};
   other.type = BodyType::kinematic_body;
   other.solid = Solid::none;
-  other.group = 6;
+  other.category = 6;
   other.mask = 5;
   other.margin = 0.5;
   other.max_acceleration = 3;

@@ -89,9 +89,9 @@ inline std::string located_fault(const BspSubject& subject, const Vec3& p) {
 }
 
 inline std::string ray_fault(const BspSubject& subject, const Vec3& origin, const Vec3& motion) {
-  RayHit found = subject.tree.cast_ray(origin, motion);
-  const RayHit truth = cast_ray(origin, motion, subject.model);
-  found.lower = truth.lower;
+  std::optional<RayHit> found = subject.tree.cast_ray(origin, motion);
+  const std::optional<RayHit> truth = cast_ray(origin, motion, subject.model);
+  if (found && truth) found->lower = truth->lower;
   return found == truth ? "" : "another ray's hit";
 }
 
@@ -105,40 +105,43 @@ inline std::string shape_fault(const BspSubject& subject, const PlacedPolytope& 
 }
 
 /// The truth of those that meet at the start names any triangle, or none of a solid that holds the shape.
-inline std::string start_fault(const BspSubject& subject, const PlacedPolytope& placed, const ShapeHit& found,
-                               const ShapeHit& truth) {
-  if (!found.hit || found.upper != 0) return "they meet at the start";
+inline std::string start_fault(const BspSubject& subject, const PlacedPolytope& placed,
+                               const std::optional<ShapeHit>& found, const std::optional<ShapeHit>& truth) {
+  if (!found || found->upper != 0) return "they meet at the start";
   const auto meets = [&](Index t) {
     const Triangle triangle{{vertex_of(subject.model.mesh(), t, 0), vertex_of(subject.model.mesh(), t, 1),
                              vertex_of(subject.model.mesh(), t, 2)}};
     return overlap(posed(placed), PosedPolytope(triangle));
   };
-  if (!meets(truth.element_b)) return found == truth ? "" : "another hit of a solid that holds it";
-  return found.element_b <= truth.element_b && meets(found.element_b) ? "" : "does not meet at the start what it names";
+  if (!meets(truth->element_b)) return found == truth ? "" : "another hit of a solid that holds it";
+  return found->element_b <= truth->element_b && meets(found->element_b) ? ""
+                                                                         : "does not meet at the start what it names";
 }
 
 inline std::string cast_fault(const BspSubject& subject, const PlacedPolytope& placed, const Vec3& motion,
-                              const ShapeHit& truth) {
-  ShapeHit found = subject.tree.cast_shape(posed(placed), motion);
-  if (truth.hit && truth.upper == 0) return start_fault(subject, placed, found, truth);
-  if (truth.lower > found.upper || found.lower > truth.upper) return "the time";
-  found.lower = truth.lower;
+                              const std::optional<ShapeHit>& truth) {
+  std::optional<ShapeHit> found = subject.tree.cast_shape(posed(placed), motion);
+  if (truth && truth->upper == 0) return start_fault(subject, placed, found, truth);
+  if (found.has_value() != truth.has_value()) return "met by one";
+  if (!truth) return "";
+  if (truth->lower > found->upper || found->lower > truth->upper) return "the time";
+  found->lower = truth->lower;
   return found == truth ? "" : "another hit";
 }
 
 inline std::string trace_fault(const BspSubject& subject, const PlacedPolytope& placed, const Vec3& motion,
-                               const ShapeHit& truth) {
-  const BspTrace plain = subject.tree.trace(posed(placed), motion);
-  const BspTrace bevelled = subject.tree.trace(posed(placed), motion, BspBevels::edges_and_corners);
-  for (const BspTrace& trace : {plain, bevelled}) {
-    if (!trace.hit && truth.hit) return "a trace is free, and the cast hits";
-    if (truth.hit && trace.time > truth.upper) return "a trace is free too long";
-    if (!trace.hit && trace != BspTrace{}) return "free, and yet not";
-    if (trace.hit && trace.time > 0 && !(std::fabs(length(trace.normal) - 1) < 1e-12)) return "the normal is no unit";
-    if (trace.hit && !(dot(trace.normal, normalized(motion)) < 1e-9)) return "the normal is along the motion";
+                               const std::optional<ShapeHit>& truth) {
+  const std::optional<BspTrace> plain = subject.tree.trace(posed(placed), motion);
+  const std::optional<BspTrace> bevelled = subject.tree.trace(posed(placed), motion, BspBevels::edges_and_corners);
+  for (const std::optional<BspTrace>& trace : {plain, bevelled}) {
+    if (!trace && truth) return "a trace is free, and the cast hits";
+    if (!trace) continue;
+    if (truth && trace->time > truth->upper) return "a trace is free too long";
+    if (trace->time > 0 && !(std::fabs(length(trace->normal) - 1) < 1e-12)) return "the normal is no unit";
+    if (!(dot(trace->normal, normalized(motion)) < 1e-9)) return "the normal is along the motion";
   }
-  if (bevelled.hit && !plain.hit) return "bevels add a hit";
-  return bevelled.time >= plain.time ? "" : "bevels make it earlier";
+  if (bevelled && !plain) return "bevels add a hit";
+  return !bevelled || bevelled->time >= plain->time ? "" : "bevels make it earlier";
 }
 
 }  // namespace toccata::test

@@ -40,7 +40,7 @@ std::vector<Question> questions_about(const BspSubject& subject, std::size_t cou
 
 std::size_t count_for(const BspSubject& subject, std::size_t count) { return is_slow(subject.name) ? 4 : count; }
 
-ShapeHit true_cast(const BspSubject& subject, const Question& question) {
+std::optional<ShapeHit> true_cast(const BspSubject& subject, const Question& question) {
   return cast_shape(model_of_placed(question.placed), question.motion, subject.model, {.pose_a = question.placed.pose});
 }
 
@@ -65,9 +65,9 @@ TEST(BspTrace, ThatIsFreeMeetsNothing) {
   for (const BspSubject& subject : bsp_subjects()) {
     SCOPED_TRACE(subject.name);
     for (const Question& question : questions_about(subject, count_for(subject, 40), 3)) {
-      const ShapeHit truth = true_cast(subject, question);
+      const std::optional<ShapeHit> truth = true_cast(subject, question);
       ASSERT_EQ(trace_fault(subject, question.placed, question.motion, truth), "");
-      (truth.hit ? met : free) += 1;
+      (truth.has_value() ? met : free) += 1;
     }
   }
   EXPECT_GT(free, 200U);
@@ -77,39 +77,40 @@ TEST(BspTrace, ThatIsFreeMeetsNothing) {
 /// The tree of a box, by its six planes alone.
 BspTree tree_of_box() { return BspTree(Model(box_between({-1, -1, -1}, {1, 1, 1})), {.axis_planes = false}); }
 
-BspTrace trace_of_ball_through(const BspTree& tree, const Vec3& point, const Vec3& way, BspBevels bevels) {
+std::optional<BspTrace> trace_of_ball_through(const BspTree& tree, const Vec3& point, const Vec3& way,
+                                              BspBevels bevels) {
   return tree.trace(PosedPolytope(Sphere(0.5), Pose::translation(point - 3.0 * way)), 6.0 * way, bevels);
 }
 
 TEST(BspTrace, IsExactInFrontOfAFace) {
   const BspTree tree = tree_of_box();
   const PosedPolytope ball(Sphere(0.5), Pose::translation(0.25, 0.5, 4));
-  const BspTrace trace = tree.trace(ball, {0, 0, -5});
-  EXPECT_TRUE(trace.hit);
-  EXPECT_NEAR(trace.time, 0.5, 1e-6);
-  EXPECT_LE(trace.time, 0.5);
-  EXPECT_EQ(trace.normal, (Vec3{0, 0, 1}));
-  EXPECT_FALSE(tree.trace(ball, {0, 0, -2.4}).hit);
+  const std::optional<BspTrace> trace = tree.trace(ball, {0, 0, -5});
+  ASSERT_TRUE(trace);
+  EXPECT_NEAR(trace->time, 0.5, 1e-6);
+  EXPECT_LE(trace->time, 0.5);
+  EXPECT_EQ(trace->normal, (Vec3{0, 0, 1}));
+  EXPECT_FALSE(tree.trace(ball, {0, 0, -2.4}));
 }
 
 TEST(BspTrace, HitsBesideACornerAndBevelsAndCastsDoNot) {
   const BspTree tree = tree_of_box();
   // Past the corner at a distance of √3 · 0.4 = 0.69, where the ball reaches 0.5 and three planes at once 0.87.
   const Vec3 point{1.4, 1.4, 1.4}, way{1, -1, 0};
-  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::none).hit);
-  EXPECT_FALSE(trace_of_ball_through(tree, point, way, BspBevels::edges_and_corners).hit);
+  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::none));
+  EXPECT_FALSE(trace_of_ball_through(tree, point, way, BspBevels::edges_and_corners));
   const PosedPolytope ball(Sphere(0.5), Pose::translation(point - 3.0 * way));
-  EXPECT_FALSE(tree.cast_shape(ball, 6.0 * way).hit);
+  EXPECT_FALSE(tree.cast_shape(ball, 6.0 * way));
 }
 
 TEST(BspTrace, HitsBesideACornerBetweenBevelsAndCastsDoNot) {
   const BspTree tree = tree_of_box();
   // The distance is 0.525, and no bevel is across that direction.
   const Vec3 point = Vec3{1, 1, 1} + (0.525 / std::hypot(0.9, 0.31, 0.31)) * Vec3{0.9, 0.31, 0.31}, way{0, 1, -1};
-  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::none).hit);
-  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::edges_and_corners).hit);
+  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::none));
+  EXPECT_TRUE(trace_of_ball_through(tree, point, way, BspBevels::edges_and_corners));
   const PosedPolytope ball(Sphere(0.5), Pose::translation(point - 3.0 * way));
-  EXPECT_FALSE(tree.cast_shape(ball, 6.0 * way).hit);
+  EXPECT_FALSE(tree.cast_shape(ball, 6.0 * way));
 }
 
 /// How many are hits.
@@ -128,9 +129,9 @@ TraceCounts counted(const BspTree& tree, Random& random, std::size_t count, bool
         boxes ? PosedPolytope(Box({0.01 + std::fabs(size.x), 0.01 + std::fabs(size.y), 0.01 + std::fabs(size.z)}), pose)
               : PosedPolytope(Sphere(0.01 + std::fabs(size.x)), pose);
     const Vec3 motion = random_vector(random, 2);
-    counts.plain += tree.trace(shape, motion).hit;
-    counts.bevelled += tree.trace(shape, motion, BspBevels::edges_and_corners).hit;
-    counts.exact += tree.cast_shape(shape, motion).hit;
+    counts.plain += tree.trace(shape, motion).has_value();
+    counts.bevelled += tree.trace(shape, motion, BspBevels::edges_and_corners).has_value();
+    counts.exact += tree.cast_shape(shape, motion).has_value();
   }
   return counts;
 }
@@ -168,11 +169,11 @@ TEST(BspShapes, InsideAreMetAtOnce) {
   const BspTree tree = tree_of_box();
   const PosedPolytope ball(Sphere(0.25));
   EXPECT_TRUE(tree.overlap(ball));
-  const ShapeHit hit = tree.cast_shape(ball, {5, 0, 0});
-  EXPECT_TRUE(hit.hit);
-  EXPECT_EQ(hit.upper, 0);
+  const std::optional<ShapeHit> hit = tree.cast_shape(ball, {5, 0, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->upper, 0);
   EXPECT_EQ(hit, cast_shape(Sphere(0.25), {5, 0, 0}, Model(box_between({-1, -1, -1}, {1, 1, 1}))));
-  EXPECT_EQ(tree.trace(ball, {5, 0, 0}).time, 0);
+  EXPECT_EQ(tree.trace(ball, {5, 0, 0})->time, 0);
 }
 
 TEST(BspShapes, OfWhichNoNumberMayBeInfinite) {

@@ -25,7 +25,8 @@ struct BspCase {
 };
 
 std::string fault_of_move(const BspCase& c, const PlacedPolytope& placed, const Vec3& motion, bool is_traced) {
-  const ShapeHit truth = cast_shape(model_of_placed(placed), motion, c.subject.model, PairQuery{.pose_a = placed.pose});
+  const std::optional<ShapeHit> truth =
+      cast_shape(model_of_placed(placed), motion, c.subject.model, PairQuery{.pose_a = placed.pose});
   return is_traced ? trace_fault(c.subject, placed, motion, truth) : cast_fault(c.subject, placed, motion, truth);
 }
 

@@ -107,10 +107,10 @@ TEST(MspTree, NamesTheNearestTriangleOfPointsOnTheSurface) {
     const MspTree tree(model);
     for (const Vec3& p : telling_points(model, 400, 3)) {
       const MspLocation found = tree.locate(p);
-      const SurfacePoint nearest = nearest_point(p, model);
-      ASSERT_EQ(found.side == Side::boundary, nearest.upper == 0);
+      const std::optional<SurfacePoint> nearest = nearest_point(p, model);
+      ASSERT_EQ(found.side == Side::boundary, nearest->upper == 0);
       if (found.side != Side::boundary) continue;
-      ASSERT_EQ(found.triangle, nearest.element);
+      ASSERT_EQ(found.triangle, nearest->element);
     }
   }
 }

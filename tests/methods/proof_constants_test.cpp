@@ -152,7 +152,7 @@ TEST(ProofConstants, ARayThatTouchesTheBoxOfAMeshInAnEdgeIsNotSaidToMissIt) {
   const BspTree tree(Model(test::box_between({-1, 3, -1}, {1, 8, 1})));
   const Vec3 origin{-small, -3 * small, 0}, motion{2, 6, 0};
   ASSERT_EQ((exact(1) - exact(origin.x)) * exact(motion.y), (exact(3) - exact(origin.y)) * exact(motion.x));
-  EXPECT_TRUE(tree.cast_ray(origin, motion).hit);
+  EXPECT_TRUE(tree.cast_ray(origin, motion));
 }
 
 /// Whether x √square is at most y.

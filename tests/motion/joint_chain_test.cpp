@@ -61,7 +61,7 @@ TEST(JointChain, AnArmBetweenTwoConfigurationsIsSweptLinkByLink) {
       link_motions(joints, std::vector<double>{0, 0, 0}, std::vector<double>{90, 90, 0});
   const Model link = Box({0.5, 0.05, 0.05}), post = Sphere(0.1);
   const auto meets = [&](std::size_t i, const Vec3& at) {
-    return sweep(link, motions[i].carrying(Pose::translation(0.5, 0, 0)), post, Pose::translation(at)).hit;
+    return sweep(link, motions[i].carrying(Pose::translation(0.5, 0, 0)), post, Pose::translation(at));
   };
   EXPECT_TRUE(meets(0, {0.5, 0.5, 0}));
   EXPECT_FALSE(meets(0, {1.2, 0.5, 0}));
@@ -75,13 +75,12 @@ TEST(JointChain, LargeNumbersInBetweenDoNotLookLikeSpeed) {
     EXPECT_TRUE(sweep(Box({1, 0.1, 0.1}),
                       link_motions(gantry, std::vector<double>{-out - 1, 0}, std::vector<double>{-out + 1, 90},
                                    Pose::translation(out, 0, 0))[1],
-                      Sphere(0.01), Pose{})
-                    .hit);
+                      Sphere(0.01), Pose{}));
   const std::vector<Joint> two{{.axis = {0, 0, 1}}, {.origin = Pose::translation(1, 0, 0), .parent = 0}};
   for (const double turned : {0.0, 10080.0, 100800.0, 36e6}) {
     const std::vector<double> from{turned, turned}, to{turned + 90, turned + 90};
     const RigidMotion arm = link_motions(two, from, to)[1].carrying(Pose::translation(0.5, 0, 0));
-    EXPECT_TRUE(sweep(Box({0.5, 0.05, 0.05}), arm, Sphere(0.1), Pose::translation(1.2, 0.6, 0)).hit);
+    EXPECT_TRUE(sweep(Box({0.5, 0.05, 0.05}), arm, Sphere(0.1), Pose::translation(1.2, 0.6, 0)));
   }
 }
 

@@ -130,7 +130,7 @@ TEST(ProofConstants, ACornerMayPassASideWithinACell) {
   const auto rests = [](const Vec3& p) { return MovingPoint{p, p}; };
   const VertexFace pair{.vertex = {{0, 0, -1}, {3, 0, 2}},
                         .face = {rests({edge, -1, 0}), rests({edge, 1, 0}), rests({-1, 0, 0})}};
-  EXPECT_FALSE(time_of_impact(pair).hit);
+  EXPECT_FALSE(time_of_impact(pair));
 }
 
 // A face and a vertex, half a unit apart along (1, d, 0), go almost at right angles to it, far and together. What each

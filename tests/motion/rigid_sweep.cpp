@@ -12,7 +12,7 @@ SweepResult run_rigid(const std::string& family, std::uint64_t seed, std::uint64
     Random random(seed);
     for (; result.cases < cases; ++result.cases) {
       const RigidCase pair = f.draw(random);
-      const ShapeHit answer = swept(pair);
+      const std::optional<ShapeHit> answer = swept(pair);
       auto wrong = wrong_sweep(pair, answer);
       if (!wrong) wrong = changed_sweep(pair, answer);
       if (wrong && result.wrong++ == 0)

@@ -21,29 +21,29 @@ std::optional<MovingPoints> doubled(MovingPoints points) {
 }
 
 /// The same question in another order, where the features are a vertex and a face.
-std::optional<std::string> changed_answer(const VertexFace& pair, const TimeOfImpact& answer) {
+std::optional<std::string> changed_answer(const VertexFace& pair, const std::optional<TimeOfImpact>& answer) {
   const auto& [v, f] = pair;
   if (time_of_impact(VertexFace{v, {f[1], f[2], f[0]}}) != answer) return "the corners turned";
   if (time_of_impact(VertexFace{v, {f[1], f[0], f[2]}}) != answer) return "two corners exchanged";
   const VertexFace backwards{reversed(v), {reversed(f[0]), reversed(f[1]), reversed(f[2])}};
-  if (time_of_impact(backwards).hit != answer.hit) return "the time reversed";
+  if (time_of_impact(backwards).has_value() != answer.has_value()) return "the time reversed";
   return std::nullopt;
 }
 
-std::optional<std::string> changed_answer(const EdgeEdge& pair, const TimeOfImpact& answer) {
+std::optional<std::string> changed_answer(const EdgeEdge& pair, const std::optional<TimeOfImpact>& answer) {
   const auto& [a, b] = pair;
   if (time_of_impact(EdgeEdge{b, a}) != answer) return "the edges exchanged";
   if (time_of_impact(EdgeEdge{{a[1], a[0]}, b}) != answer) return "the ends of A exchanged";
   if (time_of_impact(EdgeEdge{a, {b[1], b[0]}}) != answer) return "the ends of B exchanged";
   const EdgeEdge backwards{{reversed(a[0]), reversed(a[1])}, {reversed(b[0]), reversed(b[1])}};
-  if (time_of_impact(backwards).hit != answer.hit) return "the time reversed";
+  if (time_of_impact(backwards).has_value() != answer.has_value()) return "the time reversed";
   return std::nullopt;
 }
 
 template <class Pair>
 std::optional<std::string> wrong_with(const MovingPoints& points, Pair (*pair_of)(const MovingPoints&)) {
   const Pair pair = pair_of(points);
-  const TimeOfImpact answer = time_of_impact(pair);
+  const std::optional<TimeOfImpact> answer = time_of_impact(pair);
   if (auto wrong = wrong_answer(pair, answer)) return *wrong + ": " + told(pair);
   if (auto changed = changed_answer(pair, answer)) return *changed + " changes the answer: " + told(pair);
   // The last stage alone: what the others decide it decides too.

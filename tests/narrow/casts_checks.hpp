@@ -19,21 +19,22 @@ inline oracle::ConvexSet swept(const oracle::ConvexSet& a, const Vec3& motion, d
 }
 
 /// Empty when the oracle finds the same: free all the way, or free until `lower` and met by `upper`.
-inline std::string cast_fault(const Cast& cast, const oracle::ConvexSet& a, const Vec3& motion,
+inline std::string cast_fault(const std::optional<Cast>& cast, const oracle::ConvexSet& a, const Vec3& motion,
                               const oracle::ConvexSet& b) {
-  if (oracle::overlap(swept(a, motion, 1), b) != cast.hit) return cast.hit ? "it is free" : "it is not free";
-  if (!cast.hit) return "";
-  if (oracle::overlap(a, b)) return cast.lower == 0 && cast.upper == 0 ? "" : "they meet at the start";
-  if (!(cast.lower >= 0 && cast.lower <= cast.upper && cast.upper <= 1)) return "no interval of times";
-  if (cast.upper - cast.lower > 1e-12) return "the interval is too wide";
-  if (cast.lower < cast.upper && oracle::overlap(swept(a, motion, cast.lower), b)) return "lower is too late";
-  if (!oracle::overlap(swept(a, motion, cast.upper), b)) return "upper is too early";
-  if (std::fabs(dot(cast.normal, cast.normal) - 1) > 1e-12) return "the normal is not unit";
-  if (!is_finite(cast.point)) return "the point is not finite";
+  if (oracle::overlap(swept(a, motion, 1), b) != cast.has_value())
+    return cast.has_value() ? "it is free" : "it is not free";
+  if (!cast) return "";
+  if (oracle::overlap(a, b)) return cast->lower == 0 && cast->upper == 0 ? "" : "they meet at the start";
+  if (!(cast->lower >= 0 && cast->lower <= cast->upper && cast->upper <= 1)) return "no interval of times";
+  if (cast->upper - cast->lower > 1e-12) return "the interval is too wide";
+  if (cast->lower < cast->upper && oracle::overlap(swept(a, motion, cast->lower), b)) return "lower is too late";
+  if (!oracle::overlap(swept(a, motion, cast->upper), b)) return "upper is too early";
+  if (std::fabs(dot(cast->normal, cast->normal) - 1) > 1e-12) return "the normal is not unit";
+  if (!is_finite(cast->point)) return "the point is not finite";
   double size = 0;
-  for (int axis = 0; axis < 3; ++axis) size += std::fabs(cast.point[axis]) + std::fabs(motion[axis]);
+  for (int axis = 0; axis < 3; ++axis) size += std::fabs(cast->point[axis]) + std::fabs(motion[axis]);
   const oracle::Rational slack = oracle::exact(size) * oracle::exact(1e-9);
-  return oracle::compare_distance(oracle::point_set(cast.point), b, slack) <= 0 ? "" : "the point is not on B";
+  return oracle::compare_distance(oracle::point_set(cast->point), b, slack) <= 0 ? "" : "the point is not on B";
 }
 
 /// Towards the other shape, past it, or anywhere.

@@ -8,7 +8,7 @@ namespace {
 std::string check_casts(const ConvexCase& pair, Random& random) {
   const Vec3 motion = random_motion(pair, random);
   const PosedPolytope a = posed(pair.a), b = posed(pair.b);
-  const Cast cast = cast_shape(a, motion, b);
+  const std::optional<Cast> cast = cast_shape(a, motion, b);
   SimplexCache workspace;
   // The first question tells the workspace what the second may use.
   const int warm = random.below(4) == 0 ? 2 : 0;

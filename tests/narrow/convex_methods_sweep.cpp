@@ -50,7 +50,7 @@ std::string check_convex_methods(const ConvexCase& pair, Random&) {
   if ((distance(a, b).upper == 0) != meet) return "distance";
   if ((relation(a, b).kind != RelationKind::apart) != meet) return "relation";
   if ((manifold(a, b).count > 0) != meet) return "manifold";
-  if (cast_shape(a, {}, b).hit != meet) return "cast";
+  if (cast_shape(a, {}, b).has_value() != meet) return "cast";
   return a.solid() && b.solid() ? check_penetration(a, b) : "";
 }
 

@@ -395,9 +395,10 @@ TEST(ProofConstants, SpheresThatMoveSlowlyHaveMetByTheUpperTime) {
   const double radius = 0x1.646ca3e25b1bdp+0, other = 0x1.bc0a1ae61a90ap-2;
   const Vec3 start{0x1.c74742cf8c694p-1, -0x1.6f784adc9642ep+0, -0x1.94111a03fc127p-1};
   const Vec3 motion{-0x1.71202e2deb1f8p-6, 0x1.5e787b6c92f2p-5, 0x1.69ff46a2188a3p-6};
-  const Cast cast = cast_shape(PosedPolytope(Sphere(radius), {{}, start}), motion, PosedPolytope(Sphere(other)));
-  ASSERT_TRUE(cast.hit);
-  const auto between = exact(start) + exact(cast.upper) * exact(motion);
+  const std::optional<Cast> cast =
+      cast_shape(PosedPolytope(Sphere(radius), {{}, start}), motion, PosedPolytope(Sphere(other)));
+  ASSERT_TRUE(cast);
+  const auto between = exact(start) + exact(cast->upper) * exact(motion);
   const oracle::Rational reach = exact(radius) + exact(other);
   // They come nearer all the time.
   ASSERT_LT(oracle::dot(exact(start) + exact(motion), exact(motion)), 0);

@@ -21,21 +21,21 @@ Vec3 random_way(const Pose& a, const Pose& b, Random& random) {
 /// A limit before the first time makes the cast nothing, and one after it changes no bit.
 template <class A, class B>
 std::string limit_fault(const A& a, const Vec3& way, const B& b) {
-  const Cast whole = cast_shape(a, way, b);
+  const std::optional<Cast> whole = cast_shape(a, way, b);
   const auto until = [&](double limit) { return cast_shape_until(a, way, b, limit); };
-  if (!whole.hit) return until(1) || until(0.5) ? "met until a limit, but not at all" : "";
-  for (const double limit : {1.0, whole.upper, whole.lower})
+  if (!whole) return until(1) || until(0.5) ? "met until a limit, but not at all" : "";
+  for (const double limit : {1.0, whole->upper, whole->lower})
     if (until(limit) != whole) return fmt::format("another cast with the limit {}", limit);
-  if (whole.lower > 0 && until(whole.lower * (1 - 1e-9))) return "told, though it is later than the limit";
+  if (whole->lower > 0 && until(whole->lower * (1 - 1e-9))) return "told, though it is later than the limit";
   return "";
 }
 
 template <class A, class B>
 std::string bound_fault(const A& a, const Vec3& way, const B& b) {
-  const Cast whole = cast_shape(a, way, b);
+  const std::optional<Cast> whole = cast_shape(a, way, b);
   const double bound = free_until(a, way, b, 1);
-  if (bound > 1) return whole.hit ? "proved free, but met" : "";
-  if (whole.hit && bound > whole.lower) return fmt::format("free until {}, but met from {} on", bound, whole.lower);
+  if (bound > 1) return whole ? "proved free, but met" : "";
+  if (whole && bound > whole->lower) return fmt::format("free until {}, but met from {} on", bound, whole->lower);
   for (const double limit : {0.25, 0.5}) {
     const double cut = free_until(a, way, b, limit);
     if (cut != bound && !(cut > limit)) return fmt::format("another bound with the limit {}", limit);
@@ -74,12 +74,12 @@ TEST(QuadricCasts, ALimitLeavesOutWhatIsLaterAndChangesNothingElse) {
 }
 
 void expect_time(const PosedQuadric& target, const Vec3& from, const Vec3& way, double time) {
-  const Cast cast = cast_ray(from, way, target);
-  EXPECT_TRUE(cast.hit);
-  EXPECT_LE(cast.lower, time);
-  EXPECT_GE(cast.upper, time);
-  EXPECT_LE(cast.upper - cast.lower, 0x1p-40);
-  EXPECT_EQ(cast.status, Status::exact);
+  const std::optional<Cast> cast = cast_ray(from, way, target);
+  ASSERT_TRUE(cast);
+  EXPECT_LE(cast->lower, time);
+  EXPECT_GE(cast->upper, time);
+  EXPECT_LE(cast->upper - cast->lower, 0x1p-40);
+  EXPECT_EQ(cast->status, Status::exact);
 }
 
 TEST(QuadricCasts, RaysAlongAxesAndAcrossThemMeetCapsAndSidesAtTheirTimes) {
@@ -96,22 +96,22 @@ TEST(QuadricCasts, RaysAlongAxesAndAcrossThemMeetCapsAndSidesAtTheirTimes) {
     expect_time(cone, {3.5, 4, 5 + 4 * tip}, {0, 0, -8 * tip}, 0.5);
     expect_time(cone, {1, 4, 5}, {4, 0, 0}, 0.375);
     for (const PosedQuadric* target : {&can, &cone, &egg}) {
-      EXPECT_FALSE(cast_ray({4.5, 4, 9}, {0, 0, -9}, *target).hit);  // beside, along the axis
-      EXPECT_FALSE(cast_ray({1, 4, 8}, {4, 0, 0}, *target).hit);     // above, across it
-      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, 4}, *target).hit);     // away
-      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, -1}, *target).hit);    // too short
-      EXPECT_EQ(cast_ray({3, 4, 5}, {0, 0, 4}, *target).upper, 0);   // from within
-      EXPECT_TRUE(cast_ray({3, 4, 5}, {4, 0, 0}, *target).hit);
+      EXPECT_FALSE(cast_ray({4.5, 4, 9}, {0, 0, -9}, *target));      // beside, along the axis
+      EXPECT_FALSE(cast_ray({1, 4, 8}, {4, 0, 0}, *target));         // above, across it
+      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, 4}, *target));         // away
+      EXPECT_FALSE(cast_ray({3, 4, 9}, {0, 0, -1}, *target));        // too short
+      EXPECT_EQ(cast_ray({3, 4, 5}, {0, 0, 4}, *target)->upper, 0);  // from within
+      EXPECT_TRUE(cast_ray({3, 4, 5}, {4, 0, 0}, *target));
     }
   }
   // Past the tip: the cone that goes on beyond it is none.
   const PosedQuadric cone(Cone(1, 1));
-  EXPECT_FALSE(cast_ray({-3, 0, 2}, {6, 0, 0}, cone).hit);
-  EXPECT_FALSE(cast_ray({-3, 0, 1.5}, {6, 0, 1e-3}, cone).hit);
-  EXPECT_FALSE(cast_ray({0.1, 0, 9}, {0, 0, -7}, cone).hit);
+  EXPECT_FALSE(cast_ray({-3, 0, 2}, {6, 0, 0}, cone));
+  EXPECT_FALSE(cast_ray({-3, 0, 1.5}, {6, 0, 1e-3}, cone));
+  EXPECT_FALSE(cast_ray({0.1, 0, 9}, {0, 0, -7}, cone));
   // From above the tip down into it, and down beside its base.
   expect_time(cone, {0.25, 0, 4.5}, {0, 0, -8}, 0.5);
-  EXPECT_FALSE(cast_ray({1.25, 0, 4}, {0, 0, -8}, cone).hit);
+  EXPECT_FALSE(cast_ray({1.25, 0, 4}, {0, 0, -8}, cone));
 }
 
 }  // namespace

@@ -139,16 +139,16 @@ TEST(QuadricContactConstants, ARayFromAfarThatGrazesABallIsRounded) {
   const Vec3 origin{-0x1.647b56fda77dp+8, -0x1.82d36f6687b2cp+9, -0x1.7ca59526f986bp+9};
   const Vec3 motion{0x1.235ed08520e6ep+9, 0x1.3d13a5c95fc67p+10, 0x1.376e62f31aa3ap+10};
   const Vec3 centre{-0x1.b938e1a7493b4p-1, 0x1.8edecf836a394p-2, 0x1.2eb00ca8d2c54p-2};
-  const Cast found = cast_ray(origin, motion, ball_in_contact(1, centre));
-  ASSERT_TRUE(found.hit);
+  const std::optional<Cast> found = cast_ray(origin, motion, ball_in_contact(1, centre));
+  ASSERT_TRUE(found);
   const auto from = exact(origin) - exact(centre);
   const Rational nearest = -oracle::dot(from, exact(motion)) / oracle::dot(exact(motion), exact(motion));
   const auto beyond = [&](double time) {
     const auto way = from + exact(time) * exact(motion);
     return oracle::dot(way, way) - Rational(1);
   };
-  EXPECT_TRUE(exact(found.lower) < nearest && beyond(found.lower) >= 0);
-  EXPECT_TRUE(exact(found.upper) >= nearest || beyond(found.upper) <= 0);
+  EXPECT_TRUE(exact(found->lower) < nearest && beyond(found->lower) >= 0);
+  EXPECT_TRUE(exact(found->upper) >= nearest || beyond(found->upper) <= 0);
 }
 
 // The tip of a needle lies next to a vertex of a triangle, in the middle of its longest side but for little. The

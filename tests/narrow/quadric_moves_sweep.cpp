@@ -67,18 +67,20 @@ std::string depth_fault(const Penetration& p, const oracle::FineSet& a, const or
   return fmt::format("depth from {} to {}", p.lower, p.upper);
 }
 
-std::string cast_fault(const Cast& cast, const oracle::FineSet& a, const Vec3& motion, const oracle::FineSet& b) {
+std::string cast_fault(const std::optional<Cast>& cast, const oracle::FineSet& a, const Vec3& motion,
+                       const oracle::FineSet& b) {
   const auto nearness = [&](const Fine& time) { return fine_nearness(moved_set(a, motion, time), b, 1e-9, 200); };
-  if (!cast.hit) {
+  if (!cast) {
     for (int i = 0; i <= 8; ++i)
       if (nearness(Fine(i) / 8).meet) return fmt::format("a miss, but they meet at {}/8", i);
     return "";
   }
-  if (!(cast.lower <= cast.upper && cast.upper <= 1)) return "times turned round";
-  if (cast.lower > 0 && nearness(Fine(cast.lower)).meet) return fmt::format("they have met before {}", cast.lower);
-  if (cast.lower > 0 && nearness(Fine(cast.lower) / 2).meet) return fmt::format("they meet at half of {}", cast.lower);
-  if (cast.status == Status::exact && nearness(Fine(cast.upper)).lower > Fine(1e-20))
-    return fmt::format("they have not met at {}", cast.upper);
+  if (!(cast->lower <= cast->upper && cast->upper <= 1)) return "times turned round";
+  if (cast->lower > 0 && nearness(Fine(cast->lower)).meet) return fmt::format("they have met before {}", cast->lower);
+  if (cast->lower > 0 && nearness(Fine(cast->lower) / 2).meet)
+    return fmt::format("they meet at half of {}", cast->lower);
+  if (cast->status == Status::exact && nearness(Fine(cast->upper)).lower > Fine(1e-20))
+    return fmt::format("they have not met at {}", cast->upper);
   return "";
 }
 

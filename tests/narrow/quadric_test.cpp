@@ -145,11 +145,11 @@ TEST(Quadric, AHalfSpaceMayComeFirst) {
   EXPECT_EQ(flipped_depth.on_b, depth.on_a);
   const PosedQuadric above(Cone(1, 1), Pose::translation(0, 0, 5));
   const Vec3 motion{0.5, -0.25, -8};
-  const Cast falls = cast_shape(above, motion, floor), rises = cast_shape(floor, -motion, above);
-  ASSERT_TRUE(falls.hit);
-  EXPECT_EQ(rises.lower, falls.lower);
-  EXPECT_EQ(rises.upper, falls.upper);
-  EXPECT_EQ(rises.normal, -falls.normal);
+  const std::optional<Cast> falls = cast_shape(above, motion, floor), rises = cast_shape(floor, -motion, above);
+  ASSERT_TRUE(falls);
+  EXPECT_EQ(rises->lower, falls->lower);
+  EXPECT_EQ(rises->upper, falls->upper);
+  EXPECT_EQ(rises->normal, -falls->normal);
 }
 
 // With integers 3, 4, 5 and 12 all heights are whole: the last place of a coordinate decides.
@@ -162,7 +162,7 @@ TEST(Quadric, AgainstHalfSpacesEveryAnswerIsExact) {
     EXPECT_EQ(distance(touching, wall).upper, 0);
     EXPECT_EQ(distance(touching, wall).status, Status::exact);
     EXPECT_EQ(penetration(touching, wall).upper, 0);
-    EXPECT_EQ(cast_shape(touching, {1, 0, 0}, wall).status, Status::exact);
+    EXPECT_EQ(cast_shape(touching, {1, 0, 0}, wall)->status, Status::exact);
     const Vec3 out{std::nextafter(place.x, 1e9), place.y, place.z}, in{std::nextafter(place.x, -1e9), place.y, place.z};
     EXPECT_EQ(quadric_contact(PosedQuadric(shape, Pose{{}, out}), wall), QuadricContact::apart);
     EXPECT_GT(distance(PosedQuadric(shape, Pose{{}, out}), wall).upper, 0);
@@ -271,18 +271,18 @@ TEST(Quadric, DepthOfABallInAWall) {
 
 TEST(Quadric, RaysEnterWhereTheyShould) {
   const PosedQuadric tower(Cylinder(2, 5));
-  const Cast side = cast_ray({10, 0, 1}, {-16, 0, 0}, tower);
-  EXPECT_TRUE(side.hit);
-  EXPECT_LE(side.lower, 0.5);
-  EXPECT_GE(side.upper, 0.5);
-  EXPECT_EQ(side.normal, (Vec3{1, 0, 0}));
-  EXPECT_FALSE(cast_ray({10, 0, 6}, {-16, 0, 0}, tower).hit);
-  EXPECT_TRUE(cast_ray({10, 0, 5}, {-16, 0, 0}, tower).hit) << "along the edge of the cap";
-  EXPECT_TRUE(cast_ray({2, 0, 10}, {0, 0, -20}, tower).hit) << "down the side";
-  const Cast tip = cast_ray({0, 0, 9}, {0, 0, -8}, PosedQuadric(Cone(1, 5)));
-  EXPECT_TRUE(tip.hit);
-  EXPECT_LE(tip.lower, 0.5);
-  EXPECT_GE(tip.upper, 0.5);
+  const std::optional<Cast> side = cast_ray({10, 0, 1}, {-16, 0, 0}, tower);
+  ASSERT_TRUE(side);
+  EXPECT_LE(side->lower, 0.5);
+  EXPECT_GE(side->upper, 0.5);
+  EXPECT_EQ(side->normal, (Vec3{1, 0, 0}));
+  EXPECT_FALSE(cast_ray({10, 0, 6}, {-16, 0, 0}, tower));
+  EXPECT_TRUE(cast_ray({10, 0, 5}, {-16, 0, 0}, tower)) << "along the edge of the cap";
+  EXPECT_TRUE(cast_ray({2, 0, 10}, {0, 0, -20}, tower)) << "down the side";
+  const std::optional<Cast> tip = cast_ray({0, 0, 9}, {0, 0, -8}, PosedQuadric(Cone(1, 5)));
+  ASSERT_TRUE(tip);
+  EXPECT_LE(tip->lower, 0.5);
+  EXPECT_GE(tip->upper, 0.5);
   EXPECT_NE(refusal_of([&] { (void)cast_ray({0, 0, 0}, {0, 0, 0}, tower); }).find("motion is zero"), std::string::npos);
 }
 
@@ -293,25 +293,27 @@ TEST(Quadric, ARayThatEntersAtATipComesFromBeforeItsNormal) {
                     {-8.7721905801935337e-07, 1.5467164043541758e-06, 0.99999999999841893}}}};
   const PosedQuadric cone(Cone(radius, half), {turn, {-4, 4, 3}});
   const Vec3 motion{200.0144687601516, 0.0022253091688870558, -1522.5494966590602};
-  const Cast cast = cast_ray({-3.9999868836136381, 3.9999768730963945, 17.952253068923337}, motion, cone);
-  EXPECT_TRUE(cast.hit);
-  EXPECT_LT(dot(cast.normal, motion), 0);
+  const std::optional<Cast> cast =
+      cast_ray({-3.9999868836136381, 3.9999768730963945, 17.952253068923337}, motion, cone);
+  ASSERT_TRUE(cast);
+  EXPECT_LT(dot(cast->normal, motion), 0);
   for (const Vec3& aside : {Vec3{}, Vec3{0x1p-53, 0, 0}, Vec3{0, -0x1p-50, 0}})
-    EXPECT_LT(dot(cast_ray(Vec3{0.25, 0, 9} + aside, {-0.5, 0, -8}, PosedQuadric(Cone(1, 5))).normal, {-0.5, 0, -8}),
+    EXPECT_LT(dot(cast_ray(Vec3{0.25, 0, 9} + aside, {-0.5, 0, -8}, PosedQuadric(Cone(1, 5)))->normal, {-0.5, 0, -8}),
               0);
 }
 
 TEST(Quadric, AFallingConeMeetsTheFloor) {
   const PosedQuadric cone(Cone(1, 1), Pose::translation(0, 0, 5));
-  const Cast cast = cast_shape(cone, {0, 0, -8}, PosedHalfSpace(HalfSpace({0, 0, 0}, {0, 0, 1})));
-  EXPECT_TRUE(cast.hit);
-  EXPECT_LE(cast.lower, 0.5);
-  EXPECT_GE(cast.upper, 0.5);
-  const Cast onto_box = cast_shape(cone, {0, 0, -8}, PosedPolytope(Box({3, 3, 1}), Pose::translation(0, 0, -1)));
-  EXPECT_LE(onto_box.lower, 0.5);
-  EXPECT_GE(onto_box.upper, 0.5);
-  EXPECT_LE(onto_box.upper - onto_box.lower, 0x1p-40);
-  EXPECT_FALSE(cast_shape(cone, {0, 0, 8}, PosedPolytope(Box({3, 3, 1}))).hit);
+  const std::optional<Cast> cast = cast_shape(cone, {0, 0, -8}, PosedHalfSpace(HalfSpace({0, 0, 0}, {0, 0, 1})));
+  ASSERT_TRUE(cast);
+  EXPECT_LE(cast->lower, 0.5);
+  EXPECT_GE(cast->upper, 0.5);
+  const std::optional<Cast> onto_box =
+      cast_shape(cone, {0, 0, -8}, PosedPolytope(Box({3, 3, 1}), Pose::translation(0, 0, -1)));
+  EXPECT_LE(onto_box->lower, 0.5);
+  EXPECT_GE(onto_box->upper, 0.5);
+  EXPECT_LE(onto_box->upper - onto_box->lower, 0x1p-40);
+  EXPECT_FALSE(cast_shape(cone, {0, 0, 8}, PosedPolytope(Box({3, 3, 1}))));
 }
 
 }  // namespace

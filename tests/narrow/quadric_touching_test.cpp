@@ -156,10 +156,10 @@ void expect_touching(const A& a, const B& b, const Vec3& motion, const std::stri
   const Relation lie = relation(a, b);
   EXPECT_EQ(lie.kind, toccata::RelationKind::touching);
   EXPECT_EQ(lie.status, Status::exact);
-  const Cast cast = cast_shape(a, motion, b);
-  EXPECT_TRUE(cast.hit);
-  EXPECT_EQ(cast.upper, 0);
-  EXPECT_EQ(cast.status, Status::exact);
+  const std::optional<Cast> cast = cast_shape(a, motion, b);
+  ASSERT_TRUE(cast);
+  EXPECT_EQ(cast->upper, 0);
+  EXPECT_EQ(cast->status, Status::exact);
   if (!lie.a_solid || !lie.b_solid) return;
   const Penetration depth = penetration(a, b);
   EXPECT_EQ(depth.upper, 0);

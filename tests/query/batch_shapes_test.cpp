@@ -141,7 +141,7 @@ TEST(BatchOfShapes, Casts) {
       ASSERT_EQ(by_pose[i], cast_shape(passage.a, moves[i].motion, passage.b, moves[i].poses)) << "query " << i;
       ASSERT_EQ(by_pair[i], cast_shape(passage.b, moves[i].motion, passage.a, moves[i].poses)) << "pair " << i;
       ASSERT_EQ(rays_by_pose[i], cast_ray(rays[i].origin, rays[i].motion, passage.a)) << "ray " << i;
-      hits += rays_by_pose[i].hit ? 1 : 0;
+      hits += rays_by_pose[i].has_value() ? 1 : 0;
     }
     EXPECT_GT(hits, 0);
   }

@@ -51,14 +51,14 @@ inline BoundaryCase boundary_case(const std::string& kind, const std::string& re
 inline std::string boundary_fault(const BoundaryCase& c) {
   const auto model = std::visit([](const auto& shape) { return Model(shape); }, c.placed.shape);
   const SignedDistance found = signed_distance(c.point, model, c.placed.pose);
-  const SurfacePoint surface = nearest_point(c.point, model, {.pose = c.placed.pose});
+  const std::optional<SurfacePoint> surface = nearest_point(c.point, model, {.pose = c.placed.pose});
   const oracle::ConvexSet set = set_of(c.placed), at = oracle::point_set(c.point);
   const int side =
       is_solid(c.placed) ? oracle::side_of(oracle::exact(c.point), set) : static_cast<int>(!oracle::overlap(at, set));
   if (found.status != Status::exact || found.sign_by != SignBy::winding_number) return "not exact";
   if (found.side != (side < 0 ? Side::inside : side == 0 ? Side::boundary : Side::outside)) return "the side";
   const double lower = side < 0 ? -found.upper : found.lower, upper = side < 0 ? -found.lower : found.upper;
-  if (lower != surface.lower || upper != surface.upper || !(found.nearest == surface.point)) return "two answers";
+  if (lower != surface->lower || upper != surface->upper || !(found.nearest == surface->point)) return "two answers";
   if (side == 0) return lower == 0 && upper == 0 ? "" : "not 0 on the surface";
   if (!(lower >= 0 && upper > 0)) return "the sign";
   if (!(upper - lower <= 1e-12 * upper) && std::nextafter(lower, HUGE_VAL) < upper) return "the interval is wide";

@@ -24,11 +24,11 @@ TEST(Boundaries, OfEveryConvexKindAgreeWithTheOracle) {
 
 TEST(Boundaries, OfABoxFromWithin) {
   const Model box(Box({1, 2, 3}));
-  const SurfacePoint found = nearest_point({0.25, 0, 0}, box);
-  EXPECT_NEAR(found.upper, 0.75, 1e-12);
-  EXPECT_EQ(found.point, (Vec3{1, 0, 0}));
-  EXPECT_EQ(found.element, 0U);
-  EXPECT_EQ(found.face, 0U);
+  const std::optional<SurfacePoint> found = nearest_point({0.25, 0, 0}, box);
+  EXPECT_NEAR(found->upper, 0.75, 1e-12);
+  EXPECT_EQ(found->point, (Vec3{1, 0, 0}));
+  EXPECT_EQ(found->element, 0U);
+  EXPECT_EQ(found->face, 0U);
   const SignedDistance d = signed_distance({0.25, 0, 0}, box, Pose::translation(0, 0, 1));
   EXPECT_EQ(d.side, Side::inside);
   EXPECT_NEAR(d.lower, -0.75, 1e-12);
@@ -56,9 +56,9 @@ TEST(Boundaries, FromTheMiddleOfWhatIsRound) {
 TEST(Boundaries, OfARoundedBoxGoThroughItsCore) {
   const Model box(Rounded(Box({1, 1, 1}), 0.5));
   EXPECT_NEAR(signed_distance({0.75, 0, 0}, box).lower, -0.75, 1e-12);
-  EXPECT_NEAR(nearest_point({0.75, 0, 0}, box).point.x, 1.5, 1e-15);
+  EXPECT_NEAR(nearest_point({0.75, 0, 0}, box)->point.x, 1.5, 1e-15);
   EXPECT_NEAR(signed_distance({1, 0, 0}, box).lower, -0.5, 1e-12);
-  EXPECT_NEAR(nearest_point({1, 0, 0}, box).point.x, 1.5, 1e-15);
+  EXPECT_NEAR(nearest_point({1, 0, 0}, box)->point.x, 1.5, 1e-15);
   EXPECT_NEAR(signed_distance({1.25, 0, 0}, box).lower, -0.25, 1e-12);
   EXPECT_EQ(signed_distance({1.5, 0, 0}, box).side, Side::boundary);
   EXPECT_EQ(signed_distance({1.5, 1.5, 0}, box).side, Side::outside);
@@ -67,7 +67,7 @@ TEST(Boundaries, OfARoundedBoxGoThroughItsCore) {
 TEST(Boundaries, OfAHalfSpace) {
   const Model floor(HalfSpace({0, 0, 0.5}, {0, 0, 1}));
   EXPECT_NEAR(signed_distance({7, 8, -2}, floor).upper, -2.5, 1e-11);
-  EXPECT_EQ(nearest_point({7, 8, -2}, floor).point, (Vec3{7, 8, 0.5}));
+  EXPECT_EQ(nearest_point({7, 8, -2}, floor)->point, (Vec3{7, 8, 0.5}));
   EXPECT_NEAR(signed_distance({7, 8, 2}, floor).upper, 1.5, 1e-11);
   EXPECT_EQ(signed_distance({7, 8, 0.5}, floor).side, Side::boundary);
 }

@@ -25,31 +25,34 @@ inline std::vector<PosedPolytope> elements_of(const Model& model, const Pose& po
 }
 
 /// The cast of every pair of elements, by no tree; faces are left 0.
-inline ShapeHit cast_of_all_elements(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
+inline std::optional<ShapeHit> cast_of_all_elements(const Model& a, const Vec3& motion, const Model& b,
+                                                    const PairQuery& query) {
   const std::vector<PosedPolytope> of_a = elements_of(a, query.pose_a), of_b = elements_of(b, query.pose_b);
   std::optional<ShapeHit> first;
   for (Index i = 0; i < of_a.size(); ++i)
     for (Index j = 0; j < of_b.size(); ++j)
-      if (const Cast found = cast_shape(of_a[i], motion, of_b[j]); found.hit) keep_first(first, {found, i, j, 0, 0});
-  return first.value_or(ShapeHit{});
+      if (const std::optional<Cast> found = cast_shape(of_a[i], motion, of_b[j]))
+        keep_first(first, {*found, i, j, 0, 0});
+  return first;
 }
 
 /// What is wrong with the cast of two models of which one is a mesh at least, and neither a compound.
 inline std::string mesh_cast_fault(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
-  ShapeHit found = cast_shape(a, motion, b, query);
-  const ShapeHit all = cast_of_all_elements(a, motion, b, query);
+  std::optional<ShapeHit> found = cast_shape(a, motion, b, query);
+  const std::optional<ShapeHit> all = cast_of_all_elements(a, motion, b, query);
   if (overlap(a, b, query)) {
-    if (!found.hit || found.upper != 0) return "they meet at the start";
-    const bool surfaces_meet = all.hit && all.upper == 0;
+    if (!found || found->upper != 0) return "they meet at the start";
+    const bool surfaces_meet = all.has_value() && all->upper == 0;
     const bool named_meet =
-        overlap(elements_of(a, query.pose_a)[found.element_a], elements_of(b, query.pose_b)[found.element_b]);
+        overlap(elements_of(a, query.pose_a)[found->element_a], elements_of(b, query.pose_b)[found->element_b]);
     if (surfaces_meet && !named_meet) return "the elements named do not meet at the start";
-    if (surfaces_meet && !(std::fabs(plain_length(found.normal) - 1) < 1e-12)) return "no normal at the start";
+    if (surfaces_meet && !(std::fabs(plain_length(found->normal) - 1) < 1e-12)) return "no normal at the start";
     return "";
   }
-  if (a.has_mesh() && found.face_a != a.mesh().face_of(found.element_a)) return "face of a";
-  if (b.has_mesh() && found.face_b != b.mesh().face_of(found.element_b)) return "face of b";
-  found.face_a = found.face_b = 0;
+  if (!found || !all) return found.has_value() == all.has_value() ? "" : "met by one";
+  if (a.has_mesh() && found->face_a != a.mesh().face_of(found->element_a)) return "face of a";
+  if (b.has_mesh() && found->face_b != b.mesh().face_of(found->element_b)) return "face of b";
+  found->face_a = found->face_b = 0;
   return found == all ? "" : "not the first of all pairs";
 }
 

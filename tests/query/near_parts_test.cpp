@@ -100,8 +100,8 @@ TEST(NearParts, QuestionsAboutCompoundsAreThoseAboutTheirParts) {
       contact_count += contacts(part_a, part_b, parts).size();
       least = std::min(least, distance(part_a, part_b, parts).upper);
       if (half_spaces) return;
-      if (const ShapeHit found = cast_shape(part_a, motion, part_b, parts); found.hit)
-        first = std::min(first, found.upper);
+      if (const std::optional<ShapeHit> found = cast_shape(part_a, motion, part_b, parts); found)
+        first = std::min(first, found->upper);
     });
     const Model model_a(a), model_b(b);
     EXPECT_EQ(overlap(model_a, model_b, query), meets);
@@ -110,10 +110,10 @@ TEST(NearParts, QuestionsAboutCompoundsAreThoseAboutTheirParts) {
     EXPECT_EQ(relation(model_a, model_b, query).kind != RelationKind::apart, meets);
     met += meets ? 1 : 0;
     if (half_spaces) continue;
-    const ShapeHit found = cast_shape(model_a, motion, model_b, query);
-    EXPECT_EQ(found.hit, std::isfinite(first));
-    EXPECT_EQ(found.hit ? found.upper : infinity, first);
-    hit += found.hit ? 1 : 0;
+    const std::optional<ShapeHit> found = cast_shape(model_a, motion, model_b, query);
+    EXPECT_EQ(found.has_value(), std::isfinite(first));
+    EXPECT_EQ(found.has_value() ? found->upper : infinity, first);
+    hit += found.has_value() ? 1 : 0;
   }
   EXPECT_GT(met, 5);
   EXPECT_GT(hit, 10);

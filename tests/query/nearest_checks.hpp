@@ -77,7 +77,7 @@ inline std::vector<SurfacePoint> each_triangle(const NearestCase& c) {
   std::vector<SurfacePoint> all;
   for (Index i = 0; i < c.mesh.triangle_count(); ++i) {
     const Distance d = distance(PosedPolytope(Point{c.point}), PosedPolytope(world_triangle(c, i)));
-    all.push_back({true, d.lower, d.upper, d.on_b, i, c.mesh.face_of(i), d.status});
+    all.push_back({d.lower, d.upper, d.on_b, i, c.mesh.face_of(i), d.status});
   }
   std::sort(all.begin(), all.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
     return std::tie(a.upper, a.element) < std::tie(b.upper, b.element);
@@ -96,7 +96,7 @@ inline std::string fault_of_nearest(const NearestCase& c, std::span<const Surfac
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i].upper != all[i].upper || found[i].element != all[i].element) return fmt::format("the order at {}", i);
     if (!(found[i].point == all[i].point) || found[i].face != all[i].face) return fmt::format("the point {}", i);
-    if (!found[i].found || !is_narrow(found[i])) return fmt::format("the width of {}", i);
+    if (!is_narrow(found[i])) return fmt::format("the width of {}", i);
   }
   return "";
 }

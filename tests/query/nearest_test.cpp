@@ -20,8 +20,8 @@ TEST(NearestPoint, AgreesWithTheOracleAtEverySimdLevel) {
       for (int i = 0; i < 6; ++i) {
         Random random(++seed);
         const test::NearestCase c = test::nearest_case(family, random);
-        const SurfacePoint found = nearest_point(c.point, Model(c.mesh), {.pose = c.pose});
-        ASSERT_EQ(test::fault_by_oracle(c, found), "") << family << ", seed " << seed << ", " << name_of(level);
+        const std::optional<SurfacePoint> found = nearest_point(c.point, Model(c.mesh), {.pose = c.pose});
+        ASSERT_EQ(test::fault_by_oracle(c, *found), "") << family << ", seed " << seed << ", " << name_of(level);
       }
   });
 }
@@ -121,12 +121,12 @@ TEST(NearestPoint, OfManyTogetherIsThatOfEachAlone) {
 }
 
 TEST(NearestPoint, LiesOnTheSurfaceAlsoFromWithin) {
-  const SurfacePoint from_within = nearest_point({0.1, 0.2, 0.3}, ball());
-  EXPECT_GT(from_within.lower, 0.5);
-  const SurfacePoint on_surface = nearest_point(ball().mesh().vertices()[5], ball());
-  EXPECT_TRUE(on_surface.found);
-  EXPECT_EQ(on_surface.upper, 0);
-  EXPECT_EQ(on_surface.point, ball().mesh().vertices()[5]);
+  const std::optional<SurfacePoint> from_within = nearest_point({0.1, 0.2, 0.3}, ball());
+  EXPECT_GT(from_within->lower, 0.5);
+  const std::optional<SurfacePoint> on_surface = nearest_point(ball().mesh().vertices()[5], ball());
+  ASSERT_TRUE(on_surface);
+  EXPECT_EQ(on_surface->upper, 0);
+  EXPECT_EQ(on_surface->point, ball().mesh().vertices()[5]);
 }
 
 TEST(NearestPoint, OfEquallyNearElementsIsTheFirst) {
@@ -137,15 +137,15 @@ TEST(NearestPoint, OfEquallyNearElementsIsTheFirst) {
     EXPECT_EQ(all[i].element, i);
     EXPECT_EQ(all[i].upper, all[0].upper);
   }
-  EXPECT_EQ(nearest_point({5, 5, 5}, box).point, (Vec3{2, 2, 2}));
+  EXPECT_EQ(nearest_point({5, 5, 5}, box)->point, (Vec3{2, 2, 2}));
 }
 
 TEST(NearestPoint, KeepsWithinTheGreatestDistance) {
   const Model box(test::box_between({0, 0, 0}, {2, 2, 2}));
-  EXPECT_TRUE(nearest_point({1, 1, 5}, box, {.max_distance = 3}).found);
-  EXPECT_EQ(nearest_point({1, 1, 5}, box, {.max_distance = 2.999999}), SurfacePoint{});
-  EXPECT_TRUE(nearest_point({1, 1, 2}, box, {.max_distance = 0}).found);
-  EXPECT_FALSE(nearest_point({1, 1, 2.0000001}, box, {.max_distance = 0}).found);
+  EXPECT_TRUE(nearest_point({1, 1, 5}, box, {.max_distance = 3}));
+  EXPECT_FALSE(nearest_point({1, 1, 5}, box, {.max_distance = 2.999999}));
+  EXPECT_TRUE(nearest_point({1, 1, 2}, box, {.max_distance = 0}));
+  EXPECT_FALSE(nearest_point({1, 1, 2.0000001}, box, {.max_distance = 0}));
   EXPECT_EQ(nearest_points({1, 1, 5}, 99, box, {.max_distance = 3.0001}).size(), 2U);
   EXPECT_TRUE(nearest_points({1, 1, 5}, 0, box).empty());
 }
@@ -155,21 +155,21 @@ TEST(NearestPoint, CountsElementsAndFacesOfACompound) {
                                         {Triangle{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}, {}},
                                         {ball().shape(), Pose::translation(5, 0, 0)}};
   const Model model((Compound(parts)));
-  EXPECT_EQ(nearest_point({0.1, 0.1, 1}, model).element, ball().element_count());
-  const SurfacePoint right = nearest_point({9, 0.1, 0.1}, model);
-  const SurfacePoint alone = nearest_point({9, 0.1, 0.1}, ball(), {.pose = Pose::translation(5, 0, 0)});
-  EXPECT_EQ(right.element, alone.element + ball().element_count() + 1);
-  EXPECT_EQ(right.face, alone.face + ball().face_count() + 1);
-  EXPECT_EQ(right.point, alone.point);
+  EXPECT_EQ(nearest_point({0.1, 0.1, 1}, model)->element, ball().element_count());
+  const std::optional<SurfacePoint> right = nearest_point({9, 0.1, 0.1}, model);
+  const std::optional<SurfacePoint> alone = nearest_point({9, 0.1, 0.1}, ball(), {.pose = Pose::translation(5, 0, 0)});
+  EXPECT_EQ(right->element, alone->element + ball().element_count() + 1);
+  EXPECT_EQ(right->face, alone->face + ball().face_count() + 1);
+  EXPECT_EQ(right->point, alone->point);
   EXPECT_EQ(nearest_points({0, 0, 0}, 999999, model).size(), model.element_count());
 }
 
 TEST(NearestPoint, OfAHeightField) {
   const std::vector<double> heights{0, 0, 0, 0, 1, 0, 0, 0, 0};
   const Model field(HeightField(3, 3, 1, 1, heights));
-  const SurfacePoint top = nearest_point({1, 1, 4}, field);
-  EXPECT_TRUE(top.found);
-  EXPECT_NEAR(top.upper, 3, 1e-12);
+  const std::optional<SurfacePoint> top = nearest_point({1, 1, 4}, field);
+  ASSERT_TRUE(top);
+  EXPECT_NEAR(top->upper, 3, 1e-12);
 }
 
 TEST(NearestPoint, BadInputIsRefused) {

@@ -103,7 +103,7 @@ TEST(ProofConstants, WhatIsALittleAboveLeavesRoomForAnInterval) {
 // 1 less the length of the point, which is no double.
 TEST(ProofConstants, ADepthBelowARoundSurfaceIsRoundedUp) {
   const Vec3 point{0.125, 0.25, 0.375};
-  const oracle::Rational left = exact(1) - exact(nearest_point(point, Model(Sphere(1))).upper);
+  const oracle::Rational left = exact(1) - exact(nearest_point(point, Model(Sphere(1)))->upper);
   ASSERT_GT(left, 0);
   EXPECT_LE(left * left, oracle::dot(exact(point), exact(point)));
 }

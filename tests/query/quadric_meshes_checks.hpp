@@ -316,12 +316,12 @@ std::pair<std::optional<ShapeHit>, double> first_by_itself(const std::vector<Tri
   std::optional<ShapeHit> first;
   double lower = 2;
   for (Index i = 0; i < triangles.size(); ++i) {
-    const Cast one = cast_one(PosedPolytope(triangles[i]));
-    if (!one.hit) continue;
-    lower = std::min(lower, one.lower);
-    if (!first || one.upper < first->upper) {
+    const std::optional<Cast> one = cast_one(PosedPolytope(triangles[i]));
+    if (!one) continue;
+    lower = std::min(lower, one->lower);
+    if (!first || one->upper < first->upper) {
       first.emplace();
-      static_cast<Cast&>(*first) = one;
+      static_cast<Cast&>(*first) = *one;
       first->element_a = first->element_b = i;
     }
   }
@@ -330,8 +330,7 @@ std::pair<std::optional<ShapeHit>, double> first_by_itself(const std::vector<Tri
 
 inline std::string fault_of_cast(const std::optional<ShapeHit>& found, const std::optional<ShapeHit>& first,
                                  double lower, bool inside, Index element) {
-  if (inside && !(first && first->upper == 0))
-    return found && found->hit && found->upper == 0 ? "" : "a cast from within a solid";
+  if (inside && !(first && first->upper == 0)) return found && found->upper == 0 ? "" : "a cast from within a solid";
   if (found.has_value() != first.has_value()) return "hit";
   if (!found) return "";
   // At the start any of those that meet is told.

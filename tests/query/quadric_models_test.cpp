@@ -64,8 +64,9 @@ std::string fault_of_models(const PlacedQuadric& a, const B& b) {
   if (gap.lower > 0 && within_distance(model_a, model_b, gap.lower / 2, query)) return "closer than half the lower end";
   if (distance_within(model_a, model_b, gap.upper, query) != std::optional(gap)) return "distance within";
   const Vec3 way = 2.0 * (a.pose.offset - b.pose.offset) + Vec3{0.125, 0.25, 0.5};
-  const Cast cast = cast_shape(posed_b, way, posed_a), found = cast_shape(model_b, way, model_a, back);
-  if (cast.hit != found.hit || cast.lower != found.lower || cast.upper != found.upper) return "cast";
+  const std::optional<Cast> cast = cast_shape(posed_b, way, posed_a), found = cast_shape(model_b, way, model_a, back);
+  if (cast.has_value() != found.has_value()) return "cast";
+  if (cast && (cast->lower != found->lower || cast->upper != found->upper)) return "the time of a cast";
   if (lie.a_solid && lie.b_solid) {
     const Penetration depth = penetration(model_a, model_b, query);
     if (!(depth == penetration(posed_a, posed_b))) return "penetration";
@@ -227,10 +228,10 @@ TEST(QuadricModels, TouchingTrianglesIsToldExactly) {
     const Distance gap = distance(mesh, shape, query);
     EXPECT_EQ(gap.upper, 0);
     EXPECT_EQ(gap.status, Status::exact);
-    const Cast cast = cast_shape(shape, {0, 0, -1}, mesh, poses_of({{}, place}, {}));
-    EXPECT_TRUE(cast.hit);
-    EXPECT_EQ(cast.upper, 0);
-    EXPECT_EQ(cast.status, Status::exact);
+    const std::optional<Cast> cast = cast_shape(shape, {0, 0, -1}, mesh, poses_of({{}, place}, {}));
+    ASSERT_TRUE(cast);
+    EXPECT_EQ(cast->upper, 0);
+    EXPECT_EQ(cast->status, Status::exact);
     if (!lie.a_solid) return;
     const Penetration depth = penetration(mesh, shape, query);
     EXPECT_EQ(depth.upper, 0);
@@ -264,10 +265,10 @@ TEST(QuadricModels, CompoundsOfThemArePartedToo) {
 
 TEST(QuadricModels, RaysRegionsAndHalfSpacesMeetThem) {
   const Ellipsoid egg({1, 2, 3});
-  const RayHit hit = cast_ray({10, 0, 0}, {-18, 0, 0}, egg);
-  EXPECT_TRUE(hit.hit);
-  EXPECT_LE(hit.lower, 0.5);
-  EXPECT_GE(hit.upper, 0.5);
+  const std::optional<RayHit> hit = cast_ray({10, 0, 0}, {-18, 0, 0}, egg);
+  ASSERT_TRUE(hit);
+  EXPECT_LE(hit->lower, 0.5);
+  EXPECT_GE(hit->upper, 0.5);
   EXPECT_EQ(faces_in_region(Ball{{0, 3, 0}, 1.125}, egg).size(), 1U);
   EXPECT_TRUE(faces_in_region(Ball{{0, 3, 0}, 0.875}, egg).empty());
   const HalfSpace floor({0, 0, 0}, {0, 0, 1});
@@ -276,22 +277,21 @@ TEST(QuadricModels, RaysRegionsAndHalfSpacesMeetThem) {
   EXPECT_EQ(relation(egg, floor, sunk).kind, RelationKind::overlapping);
   EXPECT_LE(penetration(floor, egg, {.pose_b = Pose::translation(0, 0, 2.5)}).lower, 0.5);
   EXPECT_GE(penetration(floor, egg, {.pose_b = Pose::translation(0, 0, 2.5)}).upper, 0.5);
-  const ShapeHit falling = cast_shape(egg, {0, 0, -1}, floor, above);
-  EXPECT_TRUE(falling.hit);
-  EXPECT_LE(falling.lower, 0.5);
-  EXPECT_GE(falling.upper, 0.5);
-  EXPECT_TRUE(cast_shape(floor, {0, 0, 1}, egg, {.pose_b = Pose::translation(0, 0, 3.5)}).hit);
+  const std::optional<ShapeHit> falling = cast_shape(egg, {0, 0, -1}, floor, above);
+  ASSERT_TRUE(falling);
+  EXPECT_LE(falling->lower, 0.5);
+  EXPECT_GE(falling->upper, 0.5);
+  EXPECT_TRUE(cast_shape(floor, {0, 0, 1}, egg, {.pose_b = Pose::translation(0, 0, 3.5)}));
 }
 
 /// The first of all triangles, each cast by itself.
 template <class CastOne>
-ShapeHit first_of_triangles(const Model& mesh, const CastOne& cast_one) {
-  ShapeHit first;
+std::optional<ShapeHit> first_of_triangles(const Model& mesh, const CastOne& cast_one) {
+  std::optional<ShapeHit> first;
   for (Index i = 0; i < mesh.element_count(); ++i) {
-    const Cast one = cast_one(PosedPolytope(world_triangle(mesh, {}, i)));
-    if (!one.hit || (first.hit && first.upper <= one.upper)) continue;
-    static_cast<Cast&>(first) = one;
-    first.element_a = first.element_b = i;
+    const std::optional<Cast> one = cast_one(PosedPolytope(world_triangle(mesh, {}, i)));
+    if (!one || (first && first->upper <= one->upper)) continue;
+    first = ShapeHit{*one, i, i, 0, 0};
   }
   return first;
 }
@@ -306,17 +306,21 @@ TEST(QuadricModels, CastsAtManyTrianglesAreTheFirstOfAllAndLookAtFew) {
     const PosedQuadric shape = posed(mover);
     const PairQuery query{mover.pose, {}, Solid::automatic, Solid::none};
     Workspace workspace;
-    const ShapeHit found = cast_shape(quadric_model(mover), way, rock, query, workspace);
+    const std::optional<ShapeHit> found = cast_shape(quadric_model(mover), way, rock, query, workspace);
     EXPECT_LT(workspace.counts().items, rock.element_count() / 4) << number;
-    const ShapeHit first = first_of_triangles(rock, [&](const PosedPolytope& t) { return cast_shape(shape, way, t); });
-    EXPECT_EQ(found.hit, first.hit) << number;
-    EXPECT_EQ(found.upper, first.upper) << number;
-    EXPECT_EQ(found.element_b, first.element_b) << number;
+    const std::optional<ShapeHit> first =
+        first_of_triangles(rock, [&](const PosedPolytope& t) { return cast_shape(shape, way, t); });
+    ASSERT_EQ(found.has_value(), first.has_value()) << number;
+    if (!found) continue;
+    EXPECT_EQ(found->upper, first->upper) << number;
+    EXPECT_EQ(found->element_b, first->element_b) << number;
     const PairQuery back{{}, mover.pose, Solid::none, Solid::automatic};
-    const ShapeHit other = cast_shape(rock, -way, quadric_model(mover), back);
-    const ShapeHit last = first_of_triangles(rock, [&](const PosedPolytope& t) { return cast_shape(t, -way, shape); });
-    EXPECT_EQ(other.upper, last.upper) << number;
-    EXPECT_EQ(other.element_a, last.element_a) << number;
+    const std::optional<ShapeHit> other = cast_shape(rock, -way, quadric_model(mover), back);
+    const std::optional<ShapeHit> last =
+        first_of_triangles(rock, [&](const PosedPolytope& t) { return cast_shape(t, -way, shape); });
+    ASSERT_TRUE(other && last) << number;
+    EXPECT_EQ(other->upper, last->upper) << number;
+    EXPECT_EQ(other->element_a, last->element_a) << number;
   }
 }
 

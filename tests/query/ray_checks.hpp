@@ -97,21 +97,21 @@ inline std::vector<ExactHit> exact_hits(const RayCase& c) {
 }
 
 /// What is wrong with the answer, or nothing.
-inline std::string ray_fault(const RayCase& c, const RayHit& hit) {
+inline std::string ray_fault(const RayCase& c, const std::optional<RayHit>& hit) {
   const std::vector<ExactHit> hits = exact_hits(c);
-  if (hit.hit != !hits.empty()) return hit.hit ? "a hit where there is none" : "a hit is missed";
-  if (!hit.hit) return "";
+  if (hit.has_value() != !hits.empty()) return hit.has_value() ? "a hit where there is none" : "a hit is missed";
+  if (!hit) return "";
   oracle::Rational first = hits[0].time;
   std::optional<oracle::Rational> of_named;
   for (const ExactHit& one : hits) {
     first = std::min(first, one.time);
-    if (one.triangle == hit.element) of_named = one.time;
+    if (one.triangle == hit->element) of_named = one.time;
   }
   if (!of_named) return "the named triangle is not met";
-  if (oracle::exact(hit.lower) > *of_named || oracle::exact(hit.upper) < *of_named) return "not in the interval";
-  if (!(hit.upper - hit.lower <= 0x1p-41)) return "the interval is wide";
+  if (oracle::exact(hit->lower) > *of_named || oracle::exact(hit->upper) < *of_named) return "not in the interval";
+  if (!(hit->upper - hit->lower <= 0x1p-41)) return "the interval is wide";
   // Either of two that are nearer to each other than the interval is wide may be named.
-  if (first < oracle::exact(hit.lower)) return "not the first";
+  if (first < oracle::exact(hit->lower)) return "not the first";
   return "";
 }
 

@@ -10,9 +10,9 @@ SweepResult run_rays(const std::string& family, std::uint64_t seed, std::uint64_
     Random random(case_seed);
     const RayCase c = ray_case(family, random);
     const Model model(c.mesh);
-    const RayHit by_boxes = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
+    const std::optional<RayHit> by_boxes = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
     static_cast<void>(model.leaf_triangles());
-    const RayHit hit = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
+    const std::optional<RayHit> hit = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
     return hit == by_boxes ? ray_fault(c, hit) : "another answer by the triangles at the leaves";
   });
 }

@@ -25,9 +25,9 @@ TEST(Ray, AgreesWithTheOracleAtEverySimdLevel) {
         Random random(++seed);
         const test::RayCase c = test::ray_case(family, random);
         const Model model(c.mesh);
-        const RayHit by_boxes = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
+        const std::optional<RayHit> by_boxes = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
         static_cast<void>(model.leaf_triangles());
-        const RayHit hit = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
+        const std::optional<RayHit> hit = cast_ray(c.origin, c.motion, model, c.pose, Solid::none);
         ASSERT_EQ(hit, by_boxes) << family << ", seed " << seed << ", " << name_of(level);
         ASSERT_EQ(test::ray_fault(c, hit), "") << family << ", seed " << seed << ", " << name_of(level);
       }
@@ -46,38 +46,38 @@ TEST(Ray, NoneSlipsThroughAnEdgeOrACorner) {
       const Vec3 p = transform(pose, mesh.vertices()[corner[i]]);
       const Vec3 q = transform(pose, mesh.vertices()[corner[(i + 1) % 3]]);
       for (const Vec3& to : {p, 0.5 * (p + q)}) {
-        const RayHit hit = cast_ray(middle, 2.0 * (to - middle), icosphere, pose, Solid::none);
-        ASSERT_TRUE(hit.hit);
-        ASSERT_NEAR(hit.upper, 0.5, 1e-9);
+        const std::optional<RayHit> hit = cast_ray(middle, 2.0 * (to - middle), icosphere, pose, Solid::none);
+        ASSERT_TRUE(hit);
+        ASSERT_NEAR(hit->upper, 0.5, 1e-9);
       }
     }
 }
 
 TEST(Ray, ASolidIsMetAtOnceFromItsInside) {
   const Vec3 inside{0.1, 0.2, 0.3};
-  const RayHit as_solid = cast_ray(inside, {5, 0, 0}, icosphere);
-  EXPECT_TRUE(as_solid.hit);
-  EXPECT_EQ(as_solid.upper, 0);
-  EXPECT_EQ(as_solid.point, inside);
-  const RayHit as_surface = cast_ray(inside, {5, 0, 0}, icosphere, {}, Solid::none);
-  EXPECT_TRUE(as_surface.hit);
-  EXPECT_GT(as_surface.lower, 0.1);
-  EXPECT_LT(as_surface.normal.x, -0.8);  // against the ray
+  const std::optional<RayHit> as_solid = cast_ray(inside, {5, 0, 0}, icosphere);
+  ASSERT_TRUE(as_solid);
+  EXPECT_EQ(as_solid->upper, 0);
+  EXPECT_EQ(as_solid->point, inside);
+  const std::optional<RayHit> as_surface = cast_ray(inside, {5, 0, 0}, icosphere, {}, Solid::none);
+  ASSERT_TRUE(as_surface);
+  EXPECT_GT(as_surface->lower, 0.1);
+  EXPECT_LT(as_surface->normal.x, -0.8);  // against the ray
 }
 
 TEST(Ray, TellsElementAndFaceOfACompound) {
   const std::vector<CompoundPart> parts{{Sphere(1), Pose::translation(-5, 0, 0)},
                                         {icosphere.shape(), Pose::translation(5, 0, 0)}};
   const Model model((Compound(parts)));
-  const RayHit left = cast_ray({-9, 0.1, 0.1}, {30, 0, 0}, model);
-  EXPECT_EQ(left.element, 0U);
-  const RayHit right = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, model);
-  EXPECT_TRUE(right.hit);
-  EXPECT_GE(right.element, 1U);
-  EXPECT_EQ(right.face, right.element);
-  EXPECT_NEAR(right.normal.x, 1, 0.1);
-  const RayHit alone = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, icosphere, Pose::translation(5, 0, 0));
-  EXPECT_EQ(alone.element + 1, right.element);
+  const std::optional<RayHit> left = cast_ray({-9, 0.1, 0.1}, {30, 0, 0}, model);
+  EXPECT_EQ(left->element, 0U);
+  const std::optional<RayHit> right = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, model);
+  ASSERT_TRUE(right);
+  EXPECT_GE(right->element, 1U);
+  EXPECT_EQ(right->face, right->element);
+  EXPECT_NEAR(right->normal.x, 1, 0.1);
+  const std::optional<RayHit> alone = cast_ray({9, 0.1, 0.1}, {-30, 0, 0}, icosphere, Pose::translation(5, 0, 0));
+  EXPECT_EQ(alone->element + 1, right->element);
 }
 
 TEST(Ray, BatchIsTheSameAsOneByOne) {
@@ -96,7 +96,7 @@ TEST(Ray, BatchIsTheSameAsOneByOne) {
   for (std::size_t i = 0; i < same_pose.size(); ++i) {
     ASSERT_EQ(same_pose[i], each_pose[i]) << i;
     ASSERT_EQ(same_pose[i], cast_ray(rays[i].origin, rays[i].motion, knot, pose, Solid::none)) << i;
-    hits += same_pose[i].hit ? 1 : 0;
+    hits += same_pose[i].has_value() ? 1 : 0;
   }
   EXPECT_GT(hits, 100U);
   EXPECT_LT(hits, 1900U);
@@ -136,13 +136,13 @@ TEST(Ray, AtTheIdentityTheAnswerIsThatOfAPosedMesh) {
       const Vec3 from = place(), to = place();
       if (!(from == to)) rays.push_back({from, to - from, {}, Solid::automatic});
     }
-    const std::vector<RayHit> posed = cast_ray_each(rays, model);
+    const auto posed = cast_ray_each(rays, model);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const RayHit hit = cast_ray(rays[i].origin, rays[i].motion, model);
+      const std::optional<RayHit> hit = cast_ray(rays[i].origin, rays[i].motion, model);
       ASSERT_EQ(hit, posed[i]) << i;
       ASSERT_EQ(hit, cast_ray(rays[i].origin, rays[i].motion, model, with_minus_zeros)) << i;
-      hits += hit.hit ? 1 : 0;
-      starts += hit.hit && hit.upper == 0 ? 1 : 0;
+      hits += hit.has_value() ? 1 : 0;
+      starts += hit.has_value() && hit->upper == 0 ? 1 : 0;
     }
   }
   EXPECT_GT(hits, 100U);
@@ -187,12 +187,12 @@ TEST(Ray, OfManyThatStayTogetherIsThatOfEachAlone) {
       for (const Pose& pose : {Pose{}, Pose{rotation_about({1, 2, 3}, 33), {7, -5, 3}}}) {
         static_cast<void>(model.leaf_triangles());
         const std::vector<RayQuery> rays = rays_of_a_camera(model, pose);
-        const std::vector<RayHit> together = cast_ray_each(rays, model);
+        const auto together = cast_ray_each(rays, model);
         std::size_t hits = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
           ASSERT_EQ(together[i], cast_ray(rays[i].origin, rays[i].motion, model, pose, Solid::none))
               << i << ", " << name_of(level);
-          hits += together[i].hit ? 1 : 0;
+          hits += together[i].has_value() ? 1 : 0;
         }
         EXPECT_GT(hits, rays.size() / 4);
       }
@@ -210,10 +210,10 @@ TEST(Ray, OfACasterIsThatOfAQuestionByItself) {
       const RayCaster caster(model, pose);
       for (int i = 0; i < 60; ++i) {
         const Vec3 from = test::in_cube(random, 1.5), motion = test::in_cube(random, 3);
-        const RayHit hit = cast_ray(from, motion, model, pose);
+        const std::optional<RayHit> hit = cast_ray(from, motion, model, pose);
         ASSERT_EQ(caster.cast_ray(from, motion), hit) << name_of(model.shape()) << ", " << i;
-        hits += hit.hit ? 1 : 0;
-        starts += hit.hit && hit.upper == 0 ? 1 : 0;
+        hits += hit.has_value() ? 1 : 0;
+        starts += hit.has_value() && hit->upper == 0 ? 1 : 0;
       }
     }
   EXPECT_GT(hits, 100U);
@@ -224,7 +224,7 @@ TEST(Ray, OfACasterStaysThatOfTheModelItWasMadeOf) {
   Model model(generate_mesh("icosphere", {{"subdivisions", 2}}));
   const Vec3 from{3, 0.1, 0.2}, motion{-6, 0, 0};
   RayCaster caster(model);
-  const RayHit before = caster.cast_ray(from, motion);
+  const std::optional<RayHit> before = caster.cast_ray(from, motion);
   std::vector<Vec3> vertices(model.mesh().vertices().begin(), model.mesh().vertices().end());
   for (Vec3& vertex : vertices) vertex = 0.5 * vertex;
   static_cast<void>(model.deform(std::move(vertices)));

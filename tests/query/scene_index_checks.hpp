@@ -116,8 +116,8 @@ class OneByOne {
   [[nodiscard]] std::vector<ObjectAnswer<RayHit>> ray_hits(const Ray& ray) const {
     std::vector<ObjectAnswer<RayHit>> all;
     each([&](Index i, const SceneInstance& object) {
-      const RayHit hit = cast_ray(ray.origin, ray.motion, object.model, object.pose, object.solid);
-      if (hit.hit) all.push_back({hit, i});
+      const std::optional<RayHit> hit = cast_ray(ray.origin, ray.motion, object.model, object.pose, object.solid);
+      if (hit) all.push_back({*hit, i});
     });
     std::sort(all.begin(), all.end(), [](const ObjectAnswer<RayHit>& a, const ObjectAnswer<RayHit>& b) {
       return std::tie(a.upper, a.object) < std::tie(b.upper, b.object);
@@ -127,8 +127,9 @@ class OneByOne {
   [[nodiscard]] std::optional<ObjectAnswer<ShapeHit>> cast(const MovingShape& moving) const {
     std::vector<ObjectAnswer<ShapeHit>> all;
     each([&](Index i, const SceneInstance& object) {
-      const ShapeHit hit = cast_shape(moving.shape.model, moving.motion, object.model, query_of(moving.shape, object));
-      if (hit.hit) all.push_back({hit, i});
+      const std::optional<ShapeHit> hit =
+          cast_shape(moving.shape.model, moving.motion, object.model, query_of(moving.shape, object));
+      if (hit) all.push_back({*hit, i});
     });
     return first_of(all);
   }

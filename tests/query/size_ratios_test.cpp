@@ -148,7 +148,7 @@ TEST(SizeRatios, ACastDoesNotGrowWithTheRatio) {
     const Vec3 motion = transform(Pose{turn, {}}, Vec3{ratio, ratio, 0});
     Workspace workspace;
     const PairQuery query{start, {turn, {}}, Solid::none, Solid::none};
-    EXPECT_FALSE(cast_shape(ball, motion, floor, query, workspace).hit);
+    EXPECT_FALSE(cast_shape(ball, motion, floor, query, workspace));
     EXPECT_LT(workspace.counts().volume_tests, 3000U) << ratio;
   }
 }

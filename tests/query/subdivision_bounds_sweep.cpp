@@ -92,7 +92,7 @@ bool is_within_mesh_bound(const SubdivisionCage& cage, const LevelMesh& later, R
   const Model model(refined.mesh);
   for (int i = 0; i < 12; ++i) {
     const Vec3& p = later.points[random.below(later.points.size())];
-    if (nearest_point(p, model).lower - off_by_rounding(later) > refined.distance_to_limit) return false;
+    if (nearest_point(p, model)->lower - off_by_rounding(later) > refined.distance_to_limit) return false;
   }
   return true;
 }

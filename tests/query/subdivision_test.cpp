@@ -48,9 +48,9 @@ double expect_limit_near(const SubdivisionCage& cage, const SubdividedMesh& refi
   const Model mesh(refined.mesh);
   double farthest = 0;
   for (const Vec3& p : limit_points(cage, levels)) {
-    const SurfacePoint nearest = nearest_point(p, mesh);
-    EXPECT_LE(nearest.lower, refined.distance_to_limit);
-    farthest = std::max(farthest, nearest.lower);
+    const std::optional<SurfacePoint> nearest = nearest_point(p, mesh);
+    EXPECT_LE(nearest->lower, refined.distance_to_limit);
+    farthest = std::max(farthest, nearest->lower);
   }
   return farthest;
 }
@@ -112,7 +112,7 @@ TEST(Refine, OfRegularQuadranglesIsAsNearAsTheSplineAllows) {
     Vec3 p{};
     for (Index k = 0; k < 4; ++k)
       for (Index l = 0; l < 4; ++l) p += bu[k] * bv[l] * torus.vertices[((i + k) % around) * across + (j + l) % across];
-    const double off = nearest_point(p, mesh).lower;
+    const double off = nearest_point(p, mesh)->lower;
     EXPECT_LE(off, refined.distance_to_limit);
     farthest = std::max(farthest, off);
   }
@@ -134,12 +134,12 @@ TEST(Refine, ACreaseAllAroundMakesAPlaneEndInACircleOfSplines) {
   const SubdivisionCage square(sheet_cage(1, false), SubdivisionScheme::catmull_clark);
   const SubdividedMesh refined = refine(square, {.tolerance = 0.01});
   const Vec3 corner = (Vec3{1, 0, 0} + Vec3{0, 1, 0}) / 6;
-  EXPECT_LE(nearest_point(corner, Model(refined.mesh)).upper, refined.distance_to_limit);
-  EXPECT_GT(nearest_point(Vec3{0, 0, 0}, Model(refined.mesh)).lower, 0.2);
+  EXPECT_LE(nearest_point(corner, Model(refined.mesh))->upper, refined.distance_to_limit);
+  EXPECT_GT(nearest_point(Vec3{0, 0, 0}, Model(refined.mesh))->lower, 0.2);
   // Sharp corners stay.
   const SubdivisionCage sharp(sheet_cage(1, false), SubdivisionScheme::catmull_clark,
                               {.border = CageBorder::sharp_corner});
-  EXPECT_EQ(nearest_point(Vec3{0, 0, 0}, Model(refine(sharp, {.levels = 2}).mesh)).upper, 0);
+  EXPECT_EQ(nearest_point(Vec3{0, 0, 0}, Model(refine(sharp, {.levels = 2}).mesh))->upper, 0);
   EXPECT_LT(refine(sharp, {.levels = 2}).distance_to_limit, 1e-12);
 }
 
@@ -153,7 +153,7 @@ TEST(Refine, ACubeOfSharpEdgesStaysOne) {
   const SubdividedMesh refined = refine({cube, SubdivisionScheme::catmull_clark, features});
   EXPECT_LT(refined.distance_to_limit, 1e-12);
   EXPECT_EQ(distance(Model(refined.mesh), Box({1, 1, 1})).upper, 0);
-  EXPECT_LE(nearest_point(Vec3{1, 1, 1}, Model(refined.mesh)).upper, 0);
+  EXPECT_LE(nearest_point(Vec3{1, 1, 1}, Model(refined.mesh))->upper, 0);
 }
 
 TEST(LimitDistance, AgreesWithAFineMesh) {

@@ -224,10 +224,10 @@ inline std::string fault_of_nearest(const SurfaceCase& c, const Vec3& point, std
 /// What is wrong with the signed distance; of open meshes the side is not known here.
 inline std::string fault_of_sign(const SurfaceCase& c, const Vec3& point) {
   const SignedDistance found = signed_distance(point, c.model, c.pose);
-  const SurfacePoint nearest = nearest_point(point, c.model, {.pose = c.pose});
-  if (found.element != nearest.element || !(found.nearest == nearest.point)) return "another point";
+  const std::optional<SurfacePoint> nearest = nearest_point(point, c.model, {.pose = c.pose});
+  if (found.element != nearest->element || !(found.nearest == nearest->point)) return "another point";
   const double least = std::min(std::fabs(found.lower), std::fabs(found.upper));
-  if (found.status == Status::exact && least != nearest.lower) return "another distance";
+  if (found.status == Status::exact && least != nearest->lower) return "another distance";
   bool inside = false, on_some = false;
   for (const WorldElement& element : c.elements) {
     inside = inside || (element.solid && ElementDistance::side_of(element, point) < 0);
@@ -284,7 +284,7 @@ inline std::string fault_of_closeness(const SurfaceCase& c, const Vec3& point, d
 inline std::string surface_fault(const SurfaceCase& c, const Vec3& point, Random& random) {
   std::string fault = fault_of_nearest(c, point, 1 + random.below(c.elements.size() + 1));
   if (fault.empty()) fault = fault_of_sign(c, point);
-  const double upper = nearest_point(point, c.model, {.pose = c.pose}).upper;
+  const double upper = nearest_point(point, c.model, {.pose = c.pose})->upper;
   const Vec3 from = rounded(c.elements[0].set.vertices[0]) - point;
   const double reach = random.below(3) == 0 ? upper : std::hypot(from.x, from.y, from.z) * random.unit();
   if (fault.empty()) fault = fault_of_regions(c, point, reach);

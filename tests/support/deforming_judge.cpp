@@ -104,7 +104,7 @@ class ImpactJudge {
   }
 
   /// What was found of the two, which counts as looked at.
-  TimeOfImpact told(const MeshFeature& a, const MeshFeature& b) {
+  std::optional<TimeOfImpact> told(const MeshFeature& a, const MeshFeature& b) {
     const MeshImpact* const found = found_of(a, b);
     if (!found) return {};
     ++matched_;
@@ -114,9 +114,9 @@ class ImpactJudge {
 
   template <class Pair>
   void compare(const MeshFeature& a, const MeshFeature& b, const Pair& pair) {
-    const TimeOfImpact time = told(a, b);
+    const std::optional<TimeOfImpact> time = told(a, b);
     if (ways_are_apart(pair)) {
-      if (time.hit) wrong_ = "a contact of features whose ways are apart";
+      if (time) wrong_ = "a contact of features whose ways are apart";
       return;
     }
     ++judged_;
@@ -151,8 +151,8 @@ class ImpactJudge {
       for (Index t = 0; t < y.mesh.triangles().size(); ++t) {
         const MeshFeature edge{FeatureKind::edge, i}, face{FeatureKind::face, t};
         if (!are_asked_about(x, edge, y, face)) continue;
-        const TimeOfImpact time = told(turned ? face : edge, turned ? edge : face);
-        if (time != (meet_at_start(x.edge(i), y.face(t)) ? TimeOfImpact{true, 0, 0} : TimeOfImpact{}))
+        const std::optional<TimeOfImpact> time = told(turned ? face : edge, turned ? edge : face);
+        if (time != (meet_at_start(x.edge(i), y.face(t)) ? std::optional(TimeOfImpact{0, 0}) : std::nullopt))
           wrong_ = fmt::format("edge {} and triangle {} at the start", i, t);
       }
     }
@@ -198,15 +198,15 @@ int compared_distance(const EdgeEdge& pair, double time, double separation) {
   return oracle::compare_distance(set_at(pair.a, t), set_at(pair.b, t), oracle::exact(separation));
 }
 
-/// Free means at all times before `lower`, and without a hit at all times.
+/// Free means at all times before `lower`, and where there is no approach at all times.
 template <class Pair>
-std::optional<std::string> fault_of_approach(const Pair& pair, const MeshImpact& told, double separation) {
-  const TimeOfImpact& time = told.time;
-  if (time.hit && told.status == Status::exact && compared_distance(pair, time.upper, separation) > 0)
+std::optional<std::string> fault_of_approach(const Pair& pair, const std::optional<MeshImpact>& told,
+                                             double separation) {
+  if (told && told->status == Status::exact && compared_distance(pair, told->time.upper, separation) > 0)
     return "they are farther apart at the upper end";
-  const double until = time.hit ? time.lower : 1;
+  const double until = told ? told->time.lower : 1;
   for (const double part : {0.0, 0.25, 0.5, 0.75, 0.96875, 1.0}) {
-    if (time.hit && (until == 0 || part == 1)) break;
+    if (told && (until == 0 || part == 1)) break;
     if (compared_distance(pair, part * until, separation) <= 0) return "an approach is missed, or told too late";
   }
   return std::nullopt;
@@ -223,10 +223,12 @@ std::optional<std::string> wrong_impacts(const DeformingPair& meshes, std::span<
   return verdict_on_impacts(meshes, found, judge).wrong;
 }
 
-std::optional<std::string> wrong_approach(const VertexFace& pair, const MeshImpact& told, double separation) {
+std::optional<std::string> wrong_approach(const VertexFace& pair, const std::optional<MeshImpact>& told,
+                                          double separation) {
   return fault_of_approach(pair, told, separation);
 }
-std::optional<std::string> wrong_approach(const EdgeEdge& pair, const MeshImpact& told, double separation) {
+std::optional<std::string> wrong_approach(const EdgeEdge& pair, const std::optional<MeshImpact>& told,
+                                          double separation) {
   return fault_of_approach(pair, told, separation);
 }
 

@@ -36,7 +36,9 @@ std::optional<std::string> wrong_impacts(const DeformingPair& meshes, std::span<
                                          FeatureJudge judge);
 
 /// What is wrong with what was told of two features and a separation, judged by exact distances at some times.
-std::optional<std::string> wrong_approach(const VertexFace& pair, const MeshImpact& told, double separation);
-std::optional<std::string> wrong_approach(const EdgeEdge& pair, const MeshImpact& told, double separation);
+std::optional<std::string> wrong_approach(const VertexFace& pair, const std::optional<MeshImpact>& told,
+                                          double separation);
+std::optional<std::string> wrong_approach(const EdgeEdge& pair, const std::optional<MeshImpact>& told,
+                                          double separation);
 
 }  // namespace toccata::test

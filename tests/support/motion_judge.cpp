@@ -8,19 +8,20 @@ namespace toccata::test {
 namespace {
 
 template <class Pair>
-std::optional<std::string> wrong(const Pair& pair, const TimeOfImpact& answer) {
+std::optional<std::string> wrong(const Pair& pair, const std::optional<TimeOfImpact>& answer) {
   const auto truth = oracle::contact_time(pair);
-  if (truth && !answer.hit) return "a contact is missed";
-  if (!truth && answer.hit) return "a contact that is none";
-  if (!truth) return answer == TimeOfImpact{} ? std::nullopt : std::optional<std::string>("a time without a contact");
-  const int above = oracle::compared(*truth, oracle::exact(answer.lower));
-  const int below = -oracle::compared(*truth, oracle::exact(answer.upper));
-  if (above < 0 || below < 0) return fmt::format("the time is not in [{:a}, {:a}]", answer.lower, answer.upper);
-  const oracle::Rational cell = oracle::exact(answer.lower).scaled(40);
+  if (truth && !answer) return "a contact is missed";
+  if (!truth && answer) return "a contact that is none";
+  if (!truth) return std::nullopt;
+  const int above = oracle::compared(*truth, oracle::exact(answer->lower));
+  const int below = -oracle::compared(*truth, oracle::exact(answer->upper));
+  if (above < 0 || below < 0) return fmt::format("the time is not in [{:a}, {:a}]", answer->lower, answer->upper);
+  const oracle::Rational cell = oracle::exact(answer->lower).scaled(40);
   if (!cell.is_dyadic() || cell.exponent() < 0) return "the lower end is no multiple of 2^-40";
   // A time that is a multiple itself is told as such; else the upper end is the next.
   const double width = above == 0 ? 0 : 0x1p-40;
-  if (answer.upper != answer.lower + width) return fmt::format("[{:a}, {:a}] is no cell", answer.lower, answer.upper);
+  if (answer->upper != answer->lower + width)
+    return fmt::format("[{:a}, {:a}] is no cell", answer->lower, answer->upper);
   return std::nullopt;
 }
 
@@ -31,10 +32,10 @@ std::string told(const MovingPoint& p) {
 
 }  // namespace
 
-std::optional<std::string> wrong_answer(const VertexFace& pair, const TimeOfImpact& answer) {
+std::optional<std::string> wrong_answer(const VertexFace& pair, const std::optional<TimeOfImpact>& answer) {
   return wrong(pair, answer);
 }
-std::optional<std::string> wrong_answer(const EdgeEdge& pair, const TimeOfImpact& answer) {
+std::optional<std::string> wrong_answer(const EdgeEdge& pair, const std::optional<TimeOfImpact>& answer) {
   return wrong(pair, answer);
 }
 

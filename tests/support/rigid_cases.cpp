@@ -289,11 +289,15 @@ RigidCase reordered(const RigidCase& pair) {
   return {body(pair.a), body(pair.b)};
 }
 
+/// That nothing is met is proved.
+Status status_of(const std::optional<ShapeHit>& answer) { return answer ? answer->status : Status::exact; }
+
 /// What is wrong with the answer to a question that is the same but for how it is put; nothing where both are right.
-std::optional<std::string> contradiction(const ShapeHit& answer, const ShapeHit& other, const char* change) {
-  if (answer.status != Status::exact || other.status != Status::exact) return std::nullopt;
-  if (other.hit != answer.hit) return fmt::format("{} changes the answer", change);
-  if (answer.hit && (other.lower > answer.upper || other.upper < answer.lower))
+std::optional<std::string> contradiction(const std::optional<ShapeHit>& answer, const std::optional<ShapeHit>& other,
+                                         const char* change) {
+  if (status_of(answer) != Status::exact || status_of(other) != Status::exact) return std::nullopt;
+  if (other.has_value() != answer.has_value()) return fmt::format("{} changes the answer", change);
+  if (answer && (other->lower > answer->upper || other->upper < answer->lower))
     return fmt::format("{} changes the time", change);
   return std::nullopt;
 }
@@ -319,46 +323,56 @@ oracle::FineBody fine_body(const MovingShape& body) {
   return {std::visit(FineSetOf{body.start}, body.shape), body.move};
 }
 
-ShapeHit swept(const RigidCase& pair) {
+namespace {
+
+std::string told_of(const std::optional<ShapeHit>& answer) {
+  if (!answer) return "nothing";
+  return fmt::format("[{}, {}] {}", answer->lower, answer->upper,
+                     answer->status == Status::exact ? "exact" : "undecided");
+}
+
+}  // namespace
+
+std::optional<ShapeHit> swept(const RigidCase& pair) {
   return sweep(Model(pair.a.shape), pair.a.motion(), Model(pair.b.shape), pair.b.motion());
 }
 
-std::optional<std::string> wrong_sweep(const RigidCase& pair, const ShapeHit& answer) {
+std::optional<std::string> wrong_sweep(const RigidCase& pair, const std::optional<ShapeHit>& answer) {
   using enum oracle::FineContact::Kind;
   const oracle::FineBody a = fine_body(pair.a), b = fine_body(pair.b);
   const oracle::FineContact truth = oracle::first_contact(a, b, 1e-9);
   const double lower = truth.lower.convert_to<double>(), upper = truth.upper.convert_to<double>();
   const std::string told =
-      fmt::format(" (told hit {} [{}, {}] {}, true {} [{}, {}])", answer.hit, answer.lower, answer.upper,
-                  answer.status == Status::exact ? "exact" : "undecided", static_cast<int>(truth.kind), lower, upper);
-  if (!answer.hit) return truth.kind == hit ? std::optional("a contact is missed" + told) : std::nullopt;
-  if (truth.kind == hit && answer.lower > upper) return "a contact comes before what is told" + told;
-  if (answer.status == Status::exact) {
+      fmt::format(" (told {}, true {} [{}, {}])", told_of(answer), static_cast<int>(truth.kind), lower, upper);
+  if (!answer) return truth.kind == hit ? std::optional("a contact is missed" + told) : std::nullopt;
+  if (truth.kind == hit && answer->lower > upper) return "a contact comes before what is told" + told;
+  if (answer->status == Status::exact) {
     if (truth.kind == free) return "an exact contact, and there is none" + told;
-    if (answer.upper < lower) return "they are apart when they are told to have met" + told;
-    if (answer.upper > 0 && !oracle::meet_at(a, b, answer.upper)) return "apart at the upper end" + told;
-    if (answer.lower > 0 && oracle::meet_at(a, b, answer.lower)) return "met before the lower end" + told;
+    if (answer->upper < lower) return "they are apart when they are told to have met" + told;
+    if (answer->upper > 0 && !oracle::meet_at(a, b, answer->upper)) return "apart at the upper end" + told;
+    if (answer->lower > 0 && oracle::meet_at(a, b, answer->lower)) return "met before the lower end" + told;
     return std::nullopt;
   }
-  const double gap = oracle::nearness_at(a, b, oracle::Fine(answer.lower)).lower.convert_to<double>();
+  const double gap = oracle::nearness_at(a, b, oracle::Fine(answer->lower)).lower.convert_to<double>();
   if (gap > 1e-11 * size_of(pair)) return fmt::format("undecided where they are {} apart", gap) + told;
   return std::nullopt;
 }
 
-std::optional<std::string> changed_sweep(const RigidCase& pair, const ShapeHit& answer) {
+std::optional<std::string> changed_sweep(const RigidCase& pair, const std::optional<ShapeHit>& answer) {
   if (auto wrong = contradiction(answer, swept(exchanged(pair)), "the order")) return wrong;
   if (auto wrong = contradiction(answer, swept(mirrored(pair)), "a mirror")) return wrong;
   if (auto wrong = contradiction(answer, swept(reordered(pair)), "the order of vertices")) return wrong;
-  const ShapeHit back = swept(backwards(pair));
-  if (back.status == Status::exact && answer.status == Status::exact && back.hit != answer.hit)
+  const std::optional<ShapeHit> back = swept(backwards(pair));
+  if (status_of(back) == Status::exact && status_of(answer) == Status::exact && back.has_value() != answer.has_value())
     return "the direction of time changes the answer";
-  const ShapeHit large = swept(scaled_case(pair, 0x1p10));
+  const std::optional<ShapeHit> large = swept(scaled_case(pair, 0x1p10));
   // The numbers of distances of quadrics are found by steps that know no unit of two.
   const bool has_quadric = is_quadric(kind_of(pair.a.shape)) || is_quadric(kind_of(pair.b.shape));
-  const bool is_same = large.lower == answer.lower && large.upper == answer.upper && large.status == answer.status;
-  if (large.hit != answer.hit || !(is_same || has_quadric))
-    return fmt::format("the unit changes the answer: [{}, {}] and [{}, {}]", answer.lower, answer.upper, large.lower,
-                       large.upper);
+  const auto numbers = [](const std::optional<ShapeHit>& hit) {
+    return hit ? std::tuple(hit->lower, hit->upper, hit->status) : std::tuple(0.0, 0.0, Status::exact);
+  };
+  if (large.has_value() != answer.has_value() || !(numbers(large) == numbers(answer) || has_quadric))
+    return fmt::format("the unit changes the answer: {} and {}", told_of(answer), told_of(large));
   return std::nullopt;
 }
 

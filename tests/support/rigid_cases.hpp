@@ -32,14 +32,14 @@ struct RigidFamily {
 
 const std::vector<RigidFamily>& rigid_families();
 
-[[nodiscard]] ShapeHit swept(const RigidCase& pair);
+[[nodiscard]] std::optional<ShapeHit> swept(const RigidCase& pair);
 
 /// What is wrong with an answer, judged by the oracle; nothing where it is right.
-std::optional<std::string> wrong_sweep(const RigidCase& pair, const ShapeHit& answer);
+std::optional<std::string> wrong_sweep(const RigidCase& pair, const std::optional<ShapeHit>& answer);
 
 /// What must not change the answer and does: the order of the two and of their vertices, a mirror, the direction of
 /// time, the unit.
-std::optional<std::string> changed_sweep(const RigidCase& pair, const ShapeHit& answer);
+std::optional<std::string> changed_sweep(const RigidCase& pair, const std::optional<ShapeHit>& answer);
 
 oracle::FineBody fine_body(const MovingShape& body);
 

@@ -20,9 +20,9 @@ using test::message_of;
 
 PairQuery query_of(const Body& a, const Body& b) { return {a.pose, b.pose, a.solid, b.solid}; }
 
-bool in_groups(const Body& a, const Body& b, const BodyPairs& pairs) {
-  return ((a.group & pairs.first_groups) != 0 && (b.group & pairs.second_groups) != 0) ||
-         ((b.group & pairs.first_groups) != 0 && (a.group & pairs.second_groups) != 0);
+bool in_categories(const Body& a, const Body& b, const BodyPairs& pairs) {
+  return ((a.category & pairs.first_categories) != 0 && (b.category & pairs.second_categories) != 0) ||
+         ((b.category & pairs.first_categories) != 0 && (a.category & pairs.second_categories) != 0);
 }
 
 /// All pairs of a World that are asked about, in the plainest way: of a copy in which the bodies are where they are
@@ -34,7 +34,7 @@ std::vector<BodyPair> all_asked(const World& world, const BodyPairs& pairs) {
   std::vector<BodyPair> all;
   for (const BodyId a : world.bodies())
     for (const BodyId b : world.bodies())
-      if (a < b && world.pair_margin(a, b) && in_groups(world.body(a), world.body(b), pairs) &&
+      if (a < b && world.pair_margin(a, b) && in_categories(world.body(a), world.body(b), pairs) &&
           (pairs.placed.empty() || is_placed(a) || is_placed(b)))
         all.push_back({a, b});
   return all;
@@ -105,7 +105,7 @@ struct Robot {
     }
     Body pole{Box({0.25, 0.25, 2}), Pose::translation(1.5, 2, 0)};
     pole.type = BodyType::static_body;
-    pole.group = 2;
+    pole.category = 2;
     post = world.add(pole);
     world.set_rule({.a = links[0], .b = links[1], .excluded = true});
     world.set_rule({.a = links[1], .b = links[2], .excluded = true});
@@ -137,7 +137,7 @@ TEST(BodyPairs, AnyOverlapLooksAtAllWhateverTheyAre) {
       const Vec3 at = test::vector_in(random, 0, 9);
       Body body{i % 2 == 0 ? Model(Sphere(0.7)) : Model(Box({0.5, 0.6, 0.7})), Pose::translation(at.x, at.y, at.z)};
       body.type = BodyType::static_body;  // two such never make a pair
-      body.group = 0;
+      body.category = 0;
       body.margin = 9;
       world.add(body);
     }

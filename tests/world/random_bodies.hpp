@@ -104,12 +104,12 @@ inline double random_margin(Random& random) {
   return random.below(20) == 0 ? std::numeric_limits<double>::infinity() : 0.25 * static_cast<double>(random.below(4));
 }
 
-/// With margins, groups and motions of all sorts.
+/// With margins, categories and motions of all sorts.
 inline Body random_body(std::string_view family, Random& random) {
   Body body{random_model(family, random), random_place(family, random)};
   const std::uint64_t motion = random.below(6);
   body.type = motion == 0 ? BodyType::static_body : motion == 1 ? BodyType::kinematic_body : BodyType::dynamic_body;
-  body.group = std::uint64_t{1} << random.below(3);
+  body.category = std::uint64_t{1} << random.below(3);
   if (random.below(4) == 0) body.mask = random.below(8);
   body.margin = random_margin(random);
   body.user_data = random.bits();

@@ -21,7 +21,7 @@ class QuestionedWorld {
     for (; count > 0; --count) {
       const SceneInstance posed = random_posed(spread_, random);
       Body body{posed.model, posed.pose};
-      body.group = 1 + random.below(7);
+      body.category = 1 + random.below(7);
       body.mask = 1 + random.below(7);
       bodies_.emplace(world_.add(body), body);
     }
@@ -77,13 +77,13 @@ class QuestionedWorld {
   static BodyFilter random_filter(Random& random) {
     BodyFilter filter;
     if (random.below(2) == 0) filter.mask = 1 + random.below(7);
-    if (random.below(2) == 0) filter.group = 1 + random.below(7);
+    if (random.below(2) == 0) filter.category = 1 + random.below(7);
     if (random.below(2) == 0) filter.accepts = [](BodyId id) { return id.index % 4 != 2; };
     return filter;
   }
   static bool is_let_through(const BodyFilter& filter, BodyId id, const Body& body) {
-    const bool by_mask = filter.group == 0 || (body.mask & filter.group) != 0;
-    return (body.group & filter.mask) != 0 && by_mask && (!filter.accepts || filter.accepts(id));
+    const bool by_mask = filter.category == 0 || (body.mask & filter.category) != 0;
+    return (body.category & filter.mask) != 0 && by_mask && (!filter.accepts || filter.accepts(id));
   }
 
   [[nodiscard]] std::string fault(const OneByOne& expected, const std::vector<BodyId>& ids, const BodyFilter& filter,

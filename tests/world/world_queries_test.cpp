@@ -41,12 +41,12 @@ TEST(WorldQueries, AnswerAsEveryBodyByItselfAmongThousands) {
     }
 }
 
-/// Three balls in a row, of which the one in the middle is in another group.
+/// Three balls in a row, of which the one in the middle is in another category.
 World row_of_balls() {
   World world;
   for (const double x : {0.0, 3.0, 6.0}) {
     Body ball{Sphere(1), Pose::translation(x, 0, 0)};
-    ball.group = x == 3 ? 2 : 1;
+    ball.category = x == 3 ? 2 : 1;
     ball.mask = x == 0 ? 4 : ~std::uint64_t{0};
     ball.name = "ball at " + std::to_string(static_cast<int>(x));
     world.add(ball);
@@ -86,8 +86,8 @@ TEST(WorldQueries, FiltersSayWhoIsAsked) {
   const auto first = [&](const BodyFilter& filter) { return queries.cast_ray(ray, filter)->body.index; };
   EXPECT_EQ(first({}), 0U);
   EXPECT_EQ(first({.mask = 2}), 1U);
-  EXPECT_EQ(first({.group = 1}), 1U);  // the first has a mask without that group
-  EXPECT_EQ(first({.group = 4}), 0U);
+  EXPECT_EQ(first({.category = 1}), 1U);  // the first has a mask without that category
+  EXPECT_EQ(first({.category = 4}), 0U);
   EXPECT_EQ(first({.accepts = [](BodyId id) { return id.index > 1; }}), 2U);
   EXPECT_EQ(queries.cast_ray(ray, {.mask = 8}), std::nullopt);
   EXPECT_EQ(queries.cast_ray_through(ray).size(), 3U);

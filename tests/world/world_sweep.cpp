@@ -202,7 +202,7 @@ class WorldLife {
     if (a.type == BodyType::static_body && b.type == BodyType::static_body) return {};
     if (!world_.options().kinematic_pairs && a.type != BodyType::dynamic_body && b.type != BodyType::dynamic_body)
       return {};
-    if ((a.group & b.mask) == 0 || (b.group & a.mask) == 0) return {};
+    if ((a.category & b.mask) == 0 || (b.category & a.mask) == 0) return {};
     double margin = a.margin + b.margin;
     if (const auto rule = rules_.find(pair); rule != rules_.end()) {
       if (rule->second.excluded) return {};
@@ -272,7 +272,7 @@ class WorldLife {
       ids.push_back(id);
       const Body& persist = world_.body(id);
       if (persist.pose != body.pose || persist.margin != body.margin || persist.user_data != body.user_data ||
-          persist.group != body.group)
+          persist.category != body.category)
         return "another body than was given";
     }
     if (world_.bodies() != ids) return "other ids";

@@ -152,7 +152,7 @@ TEST(World, GroupsAndMotionsLeavePairsOut) {
     std::vector<Body> bodies(5, ball_at(0));
     bodies[0].type = bodies[1].type = BodyType::static_body;
     bodies[2].type = BodyType::kinematic_body;
-    bodies[4].group = 2;
+    bodies[4].category = 2;
     bodies[4].mask = 2;
     world.add(bodies);
     const Names driven{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}, moving{{0, 3}, {1, 3}, {2, 3}};

@@ -54,10 +54,8 @@ enum class BspBevels {
 
 /// What a shape that moves meets when it is a point that moves among planes which have been moved out.
 struct BspTrace {
-  bool hit = false;  ///< false is proved: nothing of the solid is met. True is not
-  double time = 1;   ///< as a share of the way: no part of the solid is met before it, which is proved; 1 where nothing
-                     ///< is met
-  Vec3 normal{};     ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
+  double time = 0;  ///< as a share of the way: no part of the solid is met before it, which is proved
+  Vec3 normal{};    ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
   friend constexpr bool operator==(const BspTrace&, const BspTrace&) = default;
 };
 
@@ -83,7 +81,7 @@ class BspTree {
   /// The same answer as `cast_ray` of the model, with the same triangle, time and point (only `lower` may be another
   /// bound): the cells along the ray are visited in their order, until one has a triangle that is met. Throws Error
   /// when a number is not finite or the motion is zero.
-  [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const Vec3& motion) const;
 
   /// Whether the closed segment has a point in common with the solid. Exact. Throws Error when a number is not finite,
   /// and when the ends are farther apart along an axis than the greatest double.
@@ -99,14 +97,14 @@ class BspTree {
   /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
   /// mesh allows, which is moved out too. So it reports hits that are none, but never none where there is one: what is
   /// free is proved. With bevels it reports fewer such hits. Throws Error when the motion is not finite.
-  [[nodiscard]] BspTrace trace(const PosedPolytope& shape, const Vec3& motion,
-                               BspBevels bevels = BspBevels::none) const;
+  [[nodiscard]] std::optional<BspTrace> trace(const PosedPolytope& shape, const Vec3& motion,
+                                              BspBevels bevels = BspBevels::none) const;
 
   /// The accurate form: `cast_shape` of the model, with the same answer (only `lower` may be another bound, and of
   /// triangles that are met at the start the least is named). The cells are visited as a trace visits them, and the
   /// triangles in the planes that are met are cast exactly, until one is met. Throws Error when the motion is not
   /// finite.
-  [[nodiscard]] ShapeHit cast_shape(const PosedPolytope& shape, const Vec3& motion) const;
+  [[nodiscard]] std::optional<ShapeHit> cast_shape(const PosedPolytope& shape, const Vec3& motion) const;
 
   /// All fragments in an order in which one may be painted over those before it: seen from the eye, none hides a later
   /// one. Exact. Throws Error when the eye is not finite.

@@ -140,17 +140,17 @@ struct SweepQuery {
 /// B to A. Two half-spaces are not asked about, as in `cast_shape`. Throws Error for what `overlap` throws for at the
 /// poses of the start, when `stop_before` is not finite, for what the table of pairs.hpp does not define of casts, and
 /// when a motion that is given by a function moved faster than its bound.
-[[nodiscard]] ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
-                             const SweepQuery& query = {});
+[[nodiscard]] std::optional<ShapeHit> sweep(const Model& a, const RigidMotion& motion_a, const Model& b,
+                                            const RigidMotion& motion_b, const SweepQuery& query = {});
 
 /// The same, for a caller who asks often.
-[[nodiscard]] ShapeHit sweep(const Model& a, const RigidMotion& motion_a, const Model& b, const RigidMotion& motion_b,
-                             const SweepQuery& query, Workspace& workspace);
+[[nodiscard]] std::optional<ShapeHit> sweep(const Model& a, const RigidMotion& motion_a, const Model& b,
+                                            const RigidMotion& motion_b, const SweepQuery& query, Workspace& workspace);
 
 /// Make a Model of it, once: `Model(mesh)`.
 template <class A, class B>
-requires NeedAModel<A, B> ShapeHit sweep(const A&, const RigidMotion&, const B&, const RigidMotion&,
-                                         const SweepQuery& = {})
+requires NeedAModel<A, B> std::optional<ShapeHit> sweep(const A&, const RigidMotion&, const B&, const RigidMotion&,
+                                                        const SweepQuery& = {})
 = delete;
 
 }  // namespace toccata

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,22 +33,22 @@ struct EdgeEdge {
 
 /// When two moving features first have a point in common. The exact time lies in [lower, upper], two neighbouring
 /// multiples of 2^-40, or is both where it is such a multiple itself; so `upper` is 0 exactly when they meet at the
-/// start. Without a hit it is proved that they meet at no real time in [0, 1].
+/// start.
 struct TimeOfImpact {
-  bool hit = false;
   double lower = 0;
   double upper = 0;
   friend constexpr bool operator==(const TimeOfImpact&, const TimeOfImpact&) = default;
 };
 
-/// Exact, and always answered. Throws Error when a coordinate is not finite. The order of the corners, of the ends of
-/// an edge and of the two edges makes no difference.
-[[nodiscard]] TimeOfImpact time_of_impact(const VertexFace& pair);
-[[nodiscard]] TimeOfImpact time_of_impact(const EdgeEdge& pair);
+/// None where it is proved that they meet at no real time in [0, 1]. Exact, and always answered. Throws Error when a
+/// coordinate is not finite. The order of the corners, of the ends of an edge and of the two edges makes no difference.
+[[nodiscard]] std::optional<TimeOfImpact> time_of_impact(const VertexFace& pair);
+[[nodiscard]] std::optional<TimeOfImpact> time_of_impact(const EdgeEdge& pair);
 
 /// For each pair the same answer as alone.
-[[nodiscard]] std::vector<TimeOfImpact> time_of_impact_each(std::span<const VertexFace> pairs,
-                                                            int threads = all_threads);
-[[nodiscard]] std::vector<TimeOfImpact> time_of_impact_each(std::span<const EdgeEdge> pairs, int threads = all_threads);
+[[nodiscard]] std::vector<std::optional<TimeOfImpact>> time_of_impact_each(std::span<const VertexFace> pairs,
+                                                                           int threads = all_threads);
+[[nodiscard]] std::vector<std::optional<TimeOfImpact>> time_of_impact_each(std::span<const EdgeEdge> pairs,
+                                                                           int threads = all_threads);
 
 }  // namespace toccata

@@ -120,7 +120,8 @@ struct CastQuery {
 
 using CastPair = PairOf<CastQuery>;
 
-[[nodiscard]] std::vector<ShapeHit> cast_shape_each(const Batch<CastQuery>& batch, const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<ShapeHit>> cast_shape_each(const Batch<CastQuery>& batch,
+                                                                   const BatchOptions& options = {});
 
 /// A question for `cast_ray`: from `origin` to `origin + motion` (world), at a target where `pose` places it.
 struct RayQuery {
@@ -135,15 +136,17 @@ struct RayPair {
   Model target;
 };
 
-[[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
-                                                const BatchOptions& options = {});
-[[nodiscard]] std::vector<RayHit> cast_ray_each(std::span<const RayPair> pairs, const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<RayHit>> cast_ray_each(std::span<const RayQuery> queries, const Model& target,
+                                                               const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<RayHit>> cast_ray_each(std::span<const RayPair> pairs,
+                                                               const BatchOptions& options = {});
 
 // The same surface is asked about many points. An error's message begins with "point i: ".
 
-[[nodiscard]] std::vector<SurfacePoint> nearest_point_each(std::span<const Vec3> points, const Model& surface,
-                                                           const NearestQuery& query = {},
-                                                           const BatchOptions& options = {});
+[[nodiscard]] std::vector<std::optional<SurfacePoint>> nearest_point_each(std::span<const Vec3> points,
+                                                                          const Model& surface,
+                                                                          const NearestQuery& query = {},
+                                                                          const BatchOptions& options = {});
 [[nodiscard]] std::vector<std::vector<SurfacePoint>> nearest_points_each(std::span<const Vec3> points, std::size_t k,
                                                                          const Model& surface,
                                                                          const NearestQuery& query = {},

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "toccata/core/status.hpp"
@@ -20,7 +21,6 @@ struct NearestQuery {
 
 /// The point of a surface that is nearest to a given one, in the world.
 struct SurfacePoint {
-  bool found = false;  ///< not where nothing is within the greatest distance; everything else is then as it is here
   /// The exact distance lies in [lower, upper], and upper − lower is at most 10⁻¹² · upper, or they are neighbouring
   /// doubles. Both are 0 only on the surface.
   double lower = 0;
@@ -34,21 +34,23 @@ struct SurfacePoint {
   friend constexpr bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
 
-/// The nearest point of the surface of a model, also from within: of a mesh or height field of its triangles, of a box,
+/// The nearest point of the surface of a model, none where all of it is farther than the greatest distance; also from
+/// within: of a mesh or height field of its triangles, of a box,
 /// ball, hull or any other solid of its boundary, which is one element. A point, segment or triangle is its own
 /// surface. The surface of a compound is that of all its parts, also what lies within another part, as it is with the
 /// shells of one mesh. Among elements that are equally near it is the first: the least by (upper, element). The same
 /// bits at every SIMD level, whatever a workspace knows. Throws Error when a number is not finite or the greatest
 /// distance is negative, and for poses as `overlap` does.
-[[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query = {});
+[[nodiscard]] std::optional<SurfacePoint> nearest_point(const Vec3& point, const Model& surface,
+                                                        const NearestQuery& query = {});
 
 /// The same, for a caller who asks often.
-[[nodiscard]] SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query,
-                                         Workspace& workspace);
+[[nodiscard]] std::optional<SurfacePoint> nearest_point(const Vec3& point, const Model& surface,
+                                                        const NearestQuery& query, Workspace& workspace);
 
 /// Make a Model of it, once: `Model(mesh)`.
 template <ShapeOfAModel S>
-SurfacePoint nearest_point(const Vec3&, const S&, const NearestQuery& = {}) = delete;
+std::optional<SurfacePoint> nearest_point(const Vec3&, const S&, const NearestQuery& = {}) = delete;
 
 /// The nearest points of the k nearest elements, in the order of (upper, element); fewer where the surface has fewer
 /// within the greatest distance. The first is that of `nearest_point`. Neighbours share what lies on their common edge,

@@ -18,7 +18,7 @@ class RayCaster {
   RayCaster& operator=(RayCaster&&) noexcept;
 
   /// What `cast_ray` answers for the ray, to the bit. Throws as it does of the ray.
-  [[nodiscard]] RayHit cast_ray(const Vec3& origin, const Vec3& motion) const;
+  [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const Vec3& motion) const;
 
  private:
   struct Ready;

@@ -461,7 +461,7 @@ struct PosesReport {
 /// A ray at a scene: what it meets first, of the object at that place in the scene.
 struct ReportedRay {
   RayQuery query;
-  RayHit hit;
+  std::optional<RayHit> hit;
   Index object = 0;
 };
 

@@ -120,7 +120,7 @@ struct SweepQuestion {
 struct ReportedSweep {
   Index a = 0;  ///< the object's place in the scene
   Index b = 0;
-  ShapeHit hit;
+  std::optional<ShapeHit> hit;
 };
 
 struct SweepReport {

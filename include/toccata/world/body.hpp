@@ -47,9 +47,9 @@ struct Body {
   Pose pose{};
   BodyType type = BodyType::dynamic_body;
   Solid solid = Solid::automatic;
-  /// Groups that it is in, and groups that it is to be compared with, a bit each: two bodies make a pair only if each
-  /// is in a group of the other's mask.
-  std::uint64_t group = 1;
+  /// Categories that it is in, and categories that it is to be compared with, a bit each: two bodies make a pair only
+  /// if each is in a category of the other's mask.
+  std::uint64_t category = 1;
   std::uint64_t mask = ~std::uint64_t{0};
   /// In world units, 0 or more, also +∞: two bodies are a pair when their exact distance is at most the sum of their
   /// margins (as rounded to nearest), or what a PairRule says. 0 and 0: when they have a point in common.

@@ -22,10 +22,10 @@ struct BodyAnswer : Answer {
 
 /// Which bodies are asked: all, if nothing is said.
 struct BodyFilter {
-  std::uint64_t mask = ~std::uint64_t{0};  ///< those that are in one of these groups
-  /// Asked are those whose own mask has one of these groups, as if the question were a body in them; 0: masks do not
-  /// matter.
-  std::uint64_t group = 0;
+  std::uint64_t mask = ~std::uint64_t{0};  ///< those that are in one of these categories
+  /// Asked are those whose own mask has one of these categories, as if the question were a body in them; 0: masks do
+  /// not matter.
+  std::uint64_t category = 0;
   /// Those of them for which it says yes; all, if it is empty. It has to answer the same each time, from many threads
   /// at once.
   std::function<bool(BodyId)> accepts{};
@@ -56,11 +56,11 @@ struct PlacedBody {
   Pose pose;
 };
 
-/// Which pairs of bodies are asked about: of those that the World compares (groups, types and rules), each of which one
-/// body is in one of the groups `first_groups` and the other in one of `second_groups`.
+/// Which pairs of bodies are asked about: of those that the World compares (categories, types and rules), each of which
+/// one body is in one of the categories `first_categories` and the other in one of `second_categories`.
 struct BodyPairs {
-  std::uint64_t first_groups = ~std::uint64_t{0};
-  std::uint64_t second_groups = ~std::uint64_t{0};
+  std::uint64_t first_categories = ~std::uint64_t{0};
+  std::uint64_t second_categories = ~std::uint64_t{0};
   /// Bodies as if they were there, each named once; all others are where they are. If there are any, only pairs of
   /// which one is such a body are asked about.
   std::span<const PlacedBody> placed{};

@@ -35,16 +35,15 @@ EarliestTriangle earliest(const BspTree::Parts& parts, const PreparedRay& ray) {
 
 }  // namespace
 
-RayHit BspTree::cast_ray(const Vec3& origin, const Vec3& motion) const {
+std::optional<RayHit> BspTree::cast_ray(const Vec3& origin, const Vec3& motion) const {
   const PreparedRay ray(origin, motion);
   RayHit result;
   if (locate(origin).side == Side::inside) {
-    result.hit = true;
     result.point = origin;
     return result;
   }
   const EarliestTriangle found = earliest(*parts_, ray);
-  if (!found.time.hit) return result;
+  if (!found.time.hit) return {};
   static_cast<Cast&>(result) = ray_hit(ray, parts_->planes.triangle(found.triangle), found.time);
   result.lower = found.lower;
   result.element = found.triangle;

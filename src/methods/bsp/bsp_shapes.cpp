@@ -40,7 +40,7 @@ class FirstTriangle {
   void cast(Index number, const Triangle& triangle) {
     is_cast_[number] = true;
     const auto found = cast_convex_until(shape_, motion_, PosedPolytope(triangle), limit_, kept_);
-    if (!found || !found->hit) return;
+    if (!found) return;
     keep_first(first_, {*found, 0, number, 0, parts_.planes.mesh().face_of(number)});
     limit_ = std::min(limit_, first_->upper + widest_cast);
   }
@@ -69,32 +69,30 @@ bool BspTree::overlap(const PosedPolytope& shape) const {
   return met;
 }
 
-ShapeHit BspTree::cast_shape(const PosedPolytope& shape, const Vec3& motion) const {
+std::optional<ShapeHit> BspTree::cast_shape(const PosedPolytope& shape, const Vec3& motion) const {
   require_finite_motion(motion);
   const Vec3 point = shape.vertex(0);
   const bool starts_inside = locate(point).side == Side::inside;
   const std::optional<ShapeHit> first = FirstTriangle(*parts_, shape, starts_inside ? Vec3{} : motion).answer();
-  if (first || !starts_inside) return first.value_or(ShapeHit{});
+  if (first || !starts_inside) return first;
   ShapeHit held;
-  held.hit = true;
   held.point = point;
   return held;
 }
 
-BspTrace BspTree::trace(const PosedPolytope& shape, const Vec3& motion, BspBevels bevels) const {
+std::optional<BspTrace> BspTree::trace(const PosedPolytope& shape, const Vec3& motion, BspBevels bevels) const {
   require_finite_motion(motion);
   BspSweep sweep(*parts_, shape, motion);
-  BspTrace result;
+  std::optional<BspTrace> result;
   sweep.run_through_cells([&](const BspStretch& in_cell) {
     const BevelledStretch entered =
         bevels == BspBevels::none ? BevelledStretch{in_cell} : narrowed_by_bevels(sweep, in_cell);
     if (entered.stretch.is_empty()) return infinity;
     const double time = std::max(0.0, sweep.time_before(entered.stretch));
-    if (!result.hit || time < result.time)
-      result = {
-          true, time,
-          entered.normal == Vec3{} ? sweep.entered_across(entered.stretch) : sweep.against_motion(entered.normal)};
-    return result.time > 0 ? result.time : -infinity;
+    if (!result || time < result->time)
+      result = {time, entered.normal == Vec3{} ? sweep.entered_across(entered.stretch)
+                                               : sweep.against_motion(entered.normal)};
+    return result->time > 0 ? result->time : -infinity;
   });
   return result;
 }

@@ -69,7 +69,7 @@ class ShapeCast {
   [[nodiscard]] const Vec3& separating_direction() const { return separating_; }
 
   /// For shapes that are apart at the start.
-  Cast answer() {
+  std::optional<Cast> answer() {
     if (advance()) return {};
     if (const auto meeting = certain_meeting()) return met(*meeting);
     if (!reaches(1)) return {};
@@ -291,7 +291,6 @@ class ShapeCast {
 
   [[nodiscard]] Cast met(const CastContact& meeting) const {
     Cast cast;
-    cast.hit = true;
     cast.lower = free_until_;
     cast.upper = meeting.time;
     cast.point = meeting.point;
@@ -314,21 +313,21 @@ class ShapeCast {
 
 Cast met_at_start(const Vec3& point) {
   Cast cast;
-  cast.hit = true;
   cast.point = point;
   return cast;
 }
 
 }  // namespace
 
-Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b, SimplexCache* workspace) {
+std::optional<Cast> cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedPolytope& b,
+                               SimplexCache* workspace) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   if (overlap(a, b, workspace)) return met_at_start(distance(a, b, workspace).on_b);
   if (motion == Vec3{}) return {};
   ShapeCast cast(a, motion, b);
   // What keeps the shapes apart all the way mostly does so the next time.
   if (workspace != nullptr && cast.is_kept_apart(workspace->direction, 1)) return {};
-  const Cast answer = cast.answer();
+  const std::optional<Cast> answer = cast.answer();
   if (workspace != nullptr) workspace->counts.exact += cast.was_exact() ? 1 : 0;
   if (workspace != nullptr && !(cast.separating_direction() == Vec3{}))
     workspace->direction = cast.separating_direction();
@@ -346,7 +345,7 @@ std::optional<Cast> cast_shape_until(const PosedPolytope& a, const Vec3& motion,
   return cast_shape(a, motion, b, &workspace);
 }
 
-Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedPolytope& target) {
+std::optional<Cast> cast_ray(const Vec3& origin, const Vec3& motion, const PosedPolytope& target) {
   if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
   if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
   return cast_shape(PosedPolytope(Point(origin)), motion, target);

@@ -47,12 +47,11 @@ class FallingBall {
 
 }  // namespace
 
-Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b) {
+std::optional<Cast> cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace& b) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
   const Vec3 lowest = extreme_vertex(a, b, Reach::below).position;
   Cast cast;
   if (overlap(a, b)) {
-    cast.hit = true;
     cast.point = distance(a, b).on_b;
     return cast;
   }
@@ -62,7 +61,6 @@ Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace
   const auto compare = [&](double x, double y) { return ball.compare(x, y); };
   const Vec3 normal = unit_normal(b);
   const double guess = (dot(normal, lowest - b.point) - a.radius()) / -dot(normal, motion);
-  cast.hit = true;
   cast.lower = greatest_double_below(compare, std::fmin(std::fmax(guess, 0), 1));
   cast.upper = compare(cast.lower, cast.lower) == Sign::zero ? cast.lower : of_rank(rank_of(cast.lower) + 1);
   cast.point = (lowest + cast.lower * motion) - a.radius() * normal;
@@ -70,11 +68,11 @@ Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedHalfSpace
   return cast;
 }
 
-Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b) {
+std::optional<Cast> cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b) {
   return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
-Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target) {
+std::optional<Cast> cast_ray(const Vec3& origin, const Vec3& motion, const PosedHalfSpace& target) {
   if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
   if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
   return cast_shape(PosedPolytope(Point(origin)), motion, target);

@@ -5,6 +5,6 @@
 namespace toccata {
 
 /// The half-space moves and the shape stands.
-[[nodiscard]] Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b);
+[[nodiscard]] std::optional<Cast> cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedPolytope& b);
 
 }  // namespace toccata

@@ -100,7 +100,6 @@ PassingHit run_one_passing(const PassingRay& one) {
   PassingHit hit;
   hit.told = hn::AllTrue(OneTag(), found.told);
   if (!hit.told) return hit;
-  hit.cast.hit = true;
   hit.cast.lower = first_of(found.lower);
   hit.cast.upper = first_of(found.upper);
   hit.cast.point = first_of(found.point);
@@ -151,7 +150,6 @@ void put(const PassingRay& one, PassingRows& rows, std::size_t lane) {
 void take(const PassingRows& rows, std::size_t lane, PassingHit& hit) {
   hit.told = rows.row[8][lane] != 0;
   if (!hit.told) return;
-  hit.cast.hit = true;
   hit.cast.lower = rows.row[6][lane];
   hit.cast.upper = rows.row[7][lane];
   hit.cast.point = rows.vector(0, lane);

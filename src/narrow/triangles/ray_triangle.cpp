@@ -119,8 +119,9 @@ std::optional<RayTime> certain_time(const PreparedRay& ray, const Triangle& targ
 }
 
 RayTime exact_time(const PreparedRay& ray, const Triangle& target) {
-  const Cast cast = cast_ray(ray.origin, ray.motion, PosedPolytope(target));
-  return {cast.hit, cast.lower, cast.upper, true};
+  const std::optional<Cast> cast = cast_ray(ray.origin, ray.motion, PosedPolytope(target));
+  if (!cast) return {false, 0, 0, true};
+  return {true, cast->lower, cast->upper, true};
 }
 
 /// The unit normal of a triangle with area and edges that are neither tiny nor huge.
@@ -154,9 +155,8 @@ RayTime ray_time_of_passing(const PreparedRay& ray, const Triangle& target) {
 }
 
 Cast ray_hit(const PreparedRay& ray, const Triangle& target, const RayTime& time) {
-  if (time.exact) return cast_ray(ray.origin, ray.motion, PosedPolytope(target));
+  if (time.exact) return *cast_ray(ray.origin, ray.motion, PosedPolytope(target));
   Cast cast;
-  cast.hit = true;
   cast.lower = time.lower;
   cast.upper = time.upper;
   cast.point = ray.origin + (0.5 * (time.lower + time.upper)) * ray.motion;

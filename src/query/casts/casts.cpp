@@ -15,7 +15,9 @@
 namespace toccata {
 namespace {
 
-ShapeHit whole(const Cast& cast) { return {cast, 0, 0, 0, 0}; }
+std::optional<ShapeHit> whole(const std::optional<Cast>& cast) {
+  return cast ? std::optional(ShapeHit{*cast, 0, 0, 0, 0}) : std::nullopt;
+}
 
 struct AskCast {
   std::optional<ShapeHit> operator()(const PosedPolytope& a, const PosedPolytope& b) const {
@@ -26,8 +28,7 @@ struct AskCast {
   }
   template <PosedConvexSet A, PosedConvexSet B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {
-    const auto cast = cast_convex_until(a, motion, b, limit, scratch.convex);
-    return cast ? std::optional(whole(*cast)) : std::nullopt;
+    return whole(cast_convex_until(a, motion, b, limit, scratch.convex));
   }
   template <class A, class B>
   std::optional<ShapeHit> operator()(const A& a, const B& b) const {
@@ -63,7 +64,7 @@ std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Mod
   while (const std::optional<ItemPair> next = pairs.next(limit)) {
     const PosedPart &part_a = models.a.parts[next->first], &part_b = models.b.parts[next->second];
     const auto found = std::visit(AskCast{motion, limit, workspace.scratch()}, part_a.shape, part_b.shape);
-    if (!found || !found->hit) continue;
+    if (!found) continue;
     keep_first(first, numbered(*found, part_a, part_b));
     if (first->upper == 0) break;
     limit = std::min(limit, first->upper + widest_cast);
@@ -71,13 +72,14 @@ std::optional<ShapeHit> cast_until(const Model& a, const Vec3& motion, const Mod
   return first;
 }
 
-ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
+std::optional<ShapeHit> cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query) {
   Workspace workspace;
   return cast_shape(a, motion, b, query, workspace);
 }
 
-ShapeHit cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query, Workspace& workspace) {
-  return cast_until(a, motion, b, query, 1, workspace).value_or(ShapeHit{});
+std::optional<ShapeHit> cast_shape(const Model& a, const Vec3& motion, const Model& b, const PairQuery& query,
+                                   Workspace& workspace) {
+  return cast_until(a, motion, b, query, 1, workspace);
 }
 
 }  // namespace toccata

@@ -105,7 +105,7 @@ class FirstMeeting {
   void cast(ItemPair items) {
     const auto found =
         cast_convex_until(item_of(a_, items.first), motion_, item_of(b_, items.second), limit_, scratch_.convex);
-    if (!found || !found->hit) return;
+    if (!found) return;
     keep_first(first_, {*found, items.first, items.second, face_of(a_, items.first), face_of(b_, items.second)});
     limit_ = std::min(limit_, first_->upper + widest_cast);
   }
@@ -143,7 +143,6 @@ class FirstMeeting {
 
 ShapeHit at_start(const Vec3& point) {
   ShapeHit hit;
-  hit.hit = true;
   hit.point = point;
   return hit;
 }
@@ -181,7 +180,7 @@ std::optional<ShapeHit> surfaces_at_start(const A& a, const B& b, SearchScratch&
   const auto items = items_at_start(a, b, scratch);
   if (!items) return {};
   const auto found = cast_convex_until(item_of(a, items->first), {}, item_of(b, items->second), 1, scratch.convex);
-  if (!found || !found->hit) return {};
+  if (!found) return {};
   return ShapeHit{*found, items->first, items->second, face_of(a, items->first), face_of(b, items->second)};
 }
 

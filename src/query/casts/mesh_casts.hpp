@@ -36,8 +36,7 @@ template <PosedConvexSet A, PosedConvexSet B>
 template <PosedConvexSet A, PosedConvexSet B>
 [[nodiscard]] std::optional<Cast> cast_convex_until(const A& a, const Vec3& motion, const B& b, double limit,
                                                     SimplexCache& kept) {
-  auto cast = plain_cast_until(a, motion, b, limit, kept);
-  return cast ? std::optional(with_start_normal(*cast, a, b)) : std::nullopt;
+  return with_start_normal(plain_cast_until(a, motion, b, limit, kept), a, b);
 }
 
 /// Wider than the interval of any cast, as part of the way: what certainly begins so much later than the first one ends

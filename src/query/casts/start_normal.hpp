@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 
 #include "query/posed_shape.hpp"
 #include "toccata/narrow/casts.hpp"
@@ -23,8 +24,8 @@ template <PosedConvexSet A, PosedConvexSet B>
 
 /// The cast with it, if they are met at the start.
 template <PosedConvexSet A, PosedConvexSet B>
-[[nodiscard]] Cast with_start_normal(Cast cast, const A& a, const B& b) {
-  if (cast.hit && cast.upper == 0) cast.normal = start_normal(a, b);
+[[nodiscard]] std::optional<Cast> with_start_normal(std::optional<Cast> cast, const A& a, const B& b) {
+  if (cast && cast->upper == 0) cast->normal = start_normal(a, b);
   return cast;
 }
 

@@ -23,9 +23,9 @@ class SignSearch {
   }
 
   void from(std::span<const Vec3> points, std::span<SignedDistance> found, SearchScratch& scratch) const {
-    std::vector<SurfacePoint> nearest(points.size());
+    std::vector<std::optional<SurfacePoint>> nearest(points.size());
     nearest_.nearest(points, nearest, scratch);
-    for (std::size_t i = 0; i < points.size(); ++i) found[i] = signed_of(points[i], nearest[i], scratch);
+    for (std::size_t i = 0; i < points.size(); ++i) found[i] = signed_of(points[i], *nearest[i], scratch);
   }
 
  private:

@@ -14,7 +14,7 @@ namespace toccata {
 namespace {
 
 SurfacePoint surface_point(double upper, const Vec3& point, Status status) {
-  return {true, lower_from(upper), upper, point, 0, 0, status};
+  return {lower_from(upper), upper, point, 0, 0, status};
 }
 
 /// `lower` is the exact depth or the double before it; `upper` is more than the next where that is along a direction

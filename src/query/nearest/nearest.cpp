@@ -5,16 +5,17 @@
 
 namespace toccata {
 
-SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query) {
+std::optional<SurfacePoint> nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query) {
   Workspace workspace;
   return nearest_point(point, surface, query, workspace);
 }
 
-SurfacePoint nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query, Workspace& workspace) {
+std::optional<SurfacePoint> nearest_point(const Vec3& point, const Model& surface, const NearestQuery& query,
+                                          Workspace& workspace) {
   SearchScratch& scratch = workspace.scratch();
   if (surface.has_mesh()) return nearest_of_mesh(point, surface, query, scratch);
   NearestSearch search(surface, query, 1, std::move(scratch.posed[0]));
-  const SurfacePoint found = search.nearest(point, scratch);
+  const std::optional<SurfacePoint> found = search.nearest_within(point, scratch);
   scratch.posed[0] = search.release();
   return found;
 }

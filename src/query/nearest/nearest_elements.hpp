@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -54,6 +55,12 @@ class NearestElements {
   [[nodiscard]] std::span<const SurfacePoint> in_order() {
     std::sort(kept_.begin(), kept_.end(), comes_before);
     return kept_;
+  }
+
+  /// The first of them.
+  [[nodiscard]] std::optional<SurfacePoint> first() {
+    const std::span<const SurfacePoint> all = in_order();
+    return all.empty() ? std::nullopt : std::optional(all.front());
   }
 
  private:

@@ -22,11 +22,6 @@ struct Left {
   [[nodiscard]] std::span<const Index> all() const { return std::span(triangles).first(count); }
 };
 
-SurfacePoint nearest_of(NearestElements& nearest) {
-  const std::span<const SurfacePoint> found = nearest.in_order();
-  return found.empty() ? SurfacePoint{} : found.front();
-}
-
 void prefetch_corners(const TriangleMesh& mesh, const Left& left) {
   for (const Index triangle : left.all())
     for (const Index corner : mesh.triangles()[triangle]) prefetch(mesh.vertices()[corner]);
@@ -34,8 +29,8 @@ void prefetch_corners(const TriangleMesh& mesh, const Left& left) {
 
 }  // namespace
 
-void SurfaceTarget::find_nearest(std::span<const Vec3> points, double max_distance, std::span<SurfacePoint> found,
-                                 SearchScratch& scratch) const {
+void SurfaceTarget::find_nearest(std::span<const Vec3> points, double max_distance,
+                                 std::span<std::optional<SurfacePoint>> found, SearchScratch& scratch) const {
   for (std::size_t first = 0; first < points.size(); first += points_at_once) {
     const std::size_t count = std::min(points_at_once, points.size() - first);
     find_some(points.subspan(first, count), max_distance, found.subspan(first, count), scratch);
@@ -44,14 +39,14 @@ void SurfaceTarget::find_nearest(std::span<const Vec3> points, double max_distan
 
 /// Three passes, so that what one asks of memory comes while others are worked on: the walks, of which some wait
 /// together; then the corners of the few triangles left; then these.
-void SurfaceTarget::find_some(std::span<const Vec3> points, double max_distance, std::span<SurfacePoint> found,
-                              SearchScratch& scratch) const {
+void SurfaceTarget::find_some(std::span<const Vec3> points, double max_distance,
+                              std::span<std::optional<SurfacePoint>> found, SearchScratch& scratch) const {
   std::array<NearStart, points_at_once> starts;
   std::array<Left, points_at_once> left;
   const auto finish = [&](std::size_t point, const auto& see) {
     NearestElements nearest(1, max_distance, scratch.surface_points);
     see(nearest);
-    found[point] = nearest_of(nearest);
+    found[point] = nearest.first();
   };
   const float limit = limit_in_tree(a_little_above(max_distance));
   std::size_t count = 0;

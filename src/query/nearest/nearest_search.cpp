@@ -18,14 +18,10 @@ void require_point(const Vec3& point) {
   if (!is_finite(point)) throw Error("the point is not finite");
 }
 
-SurfacePoint first_of(std::span<const SurfacePoint> in_order) {
-  return in_order.empty() ? SurfacePoint{} : in_order.front();
-}
-
 SurfacePoint nearest_of_quadric(const Vec3& point, const PosedQuadric& shape) {
   const BoundaryPoint found = boundary_point(point, shape);
   const double lower = found.status == Status::exact ? lower_from(found.upper) : found.lower;
-  return {true, lower, found.upper, found.point, 0, 0, found.status};
+  return {lower, found.upper, found.point, 0, 0, found.status};
 }
 
 SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
@@ -36,14 +32,15 @@ SurfacePoint numbered(SurfacePoint found, const PosedPart& part) {
 
 }  // namespace
 
-SurfacePoint nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query, SearchScratch& scratch) {
+std::optional<SurfacePoint> nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query,
+                                            SearchScratch& scratch) {
   const auto ask = [&](const SurfaceTarget& target) {
     require_length(query.max_distance, "the greatest distance");
     require_point(point);
     scratch.counts = {};
     NearestElements nearest(1, query.max_distance, scratch.surface_points);
     target.see_near(point, nearest, scratch);
-    return first_of(nearest.in_order());
+    return nearest.first();
   };
   if (query.pose == Pose{}) return ask(SurfaceTarget(mesh, 1));
   const PosedMesh posed(mesh, query.pose, name_of_surface);
@@ -80,14 +77,16 @@ std::span<const SurfacePoint> NearestSearch::search(const Vec3& point, std::size
   return nearest.in_order();
 }
 
-SurfacePoint NearestSearch::nearest(const Vec3& point, SearchScratch& scratch) const {
-  return first_of(search(point, 1, scratch));
+std::optional<SurfacePoint> NearestSearch::nearest_within(const Vec3& point, SearchScratch& scratch) const {
+  const std::span<const SurfacePoint> found = search(point, 1, scratch);
+  return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-void NearestSearch::nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const {
+void NearestSearch::nearest(std::span<const Vec3> points, std::span<std::optional<SurfacePoint>> found,
+                            SearchScratch& scratch) const {
   if (posed_.parts.size() == 1 && meshes_.size() == 1 && meshes_[0].has_leaves())
     return meshes_[0].find_nearest(points, max_distance_, found, scratch);
-  for (std::size_t i = 0; i < points.size(); ++i) found[i] = nearest(points[i], scratch);
+  for (std::size_t i = 0; i < points.size(); ++i) found[i] = nearest_within(points[i], scratch);
 }
 
 std::vector<SurfacePoint> NearestSearch::nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,8 +14,8 @@
 namespace toccata {
 
 /// nearest_point of one mesh or height field: the same without lists of one.
-[[nodiscard]] SurfacePoint nearest_of_mesh(const Vec3& point, const Model& mesh, const NearestQuery& query,
-                                           SearchScratch& scratch);
+[[nodiscard]] std::optional<SurfacePoint> nearest_of_mesh(const Vec3& point, const Model& mesh,
+                                                          const NearestQuery& query, SearchScratch& scratch);
 
 /// A surface at its place, made ready for many points. It refers to the model. Throws as nearest_point does of all but
 /// the point.
@@ -27,11 +28,16 @@ class NearestSearch {
   NearestSearch& operator=(const NearestSearch&) = delete;
 
   /// Throws as nearest_point does of the point.
-  [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const;
+  [[nodiscard]] std::optional<SurfacePoint> nearest_within(const Vec3& point, SearchScratch& scratch) const;
+  /// Where there is no greatest distance.
+  [[nodiscard]] SurfacePoint nearest(const Vec3& point, SearchScratch& scratch) const {
+    return *nearest_within(point, scratch);
+  }
   [[nodiscard]] std::vector<SurfacePoint> nearest(const Vec3& point, std::size_t k, SearchScratch& scratch) const;
 
-  /// The same of many, of which some are looked for at a time.
-  void nearest(std::span<const Vec3> points, std::span<SurfacePoint> found, SearchScratch& scratch) const;
+  /// nearest_within of many, of which some are looked for at a time.
+  void nearest(std::span<const Vec3> points, std::span<std::optional<SurfacePoint>> found,
+               SearchScratch& scratch) const;
 
   /// In the world.
   [[nodiscard]] const PosedModel& posed() const { return posed_; }

@@ -157,8 +157,8 @@ void SurfaceTarget::see(const Vec3& point, std::span<const Index> triangles, Nea
       status = exact.status;
     }
     if (upper > nearest.limit()) continue;
-    nearest.see({true, lower_from(upper), upper, on_surface, first_element_ + triangle,
-                 first_face_ + mesh_.face_of(triangle), status});
+    nearest.see({lower_from(upper), upper, on_surface, first_element_ + triangle, first_face_ + mesh_.face_of(triangle),
+                 status});
   }
 }
 

@@ -23,7 +23,7 @@ class SurfaceTarget {
   void see_near(const Vec3& point, NearestElements& nearest, SearchScratch& scratch) const;
 
   /// The nearest of each point, where it is within the greatest distance; several are looked for at a time.
-  void find_nearest(std::span<const Vec3> points, double max_distance, std::span<SurfacePoint> found,
+  void find_nearest(std::span<const Vec3> points, double max_distance, std::span<std::optional<SurfacePoint>> found,
                     SearchScratch& scratch) const;
 
   /// It is worth asking that way.
@@ -34,7 +34,7 @@ class SurfaceTarget {
   [[nodiscard]] bool is_usable(const WidePoint& in_tree) const;
   [[nodiscard]] bool is_for_leaves(const WidePoint& in_tree) const;
   [[nodiscard]] float limit_in_tree(double limit) const;
-  void find_some(std::span<const Vec3> points, double max_distance, std::span<SurfacePoint> found,
+  void find_some(std::span<const Vec3> points, double max_distance, std::span<std::optional<SurfacePoint>> found,
                  SearchScratch& scratch) const;
   void see_left(const Vec3& point, std::span<const Index> left, NearestElements& nearest, SearchScratch& scratch) const;
   /// Looks by the floats at the tree's leaves.

@@ -59,7 +59,7 @@ class FirstHit {
   Index triangle_ = 0;
 };
 
-RayTime time_of(const Cast& cast) { return {cast.hit, cast.lower, cast.upper}; }
+RayTime time_of(const Cast& cast) { return {true, cast.lower, cast.upper}; }
 
 Aabb region_of(const PreparedRay& ray) {
   Aabb region;

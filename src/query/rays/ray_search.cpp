@@ -25,6 +25,10 @@ RayHit numbered(const Cast& cast, Index element = 0, Index face = 0) {
   return hit;
 }
 
+std::optional<RayHit> of_one_element(const std::optional<Cast>& cast) {
+  return cast ? std::optional(numbered(*cast)) : std::nullopt;
+}
+
 bool starts_inside(const PosedTriangles& target, const Vec3& origin) {
   const Aabb point{origin, origin};
   return target.solid && overlap(target.mesh.box(), point) && is_interior(origin, target.mesh);
@@ -32,12 +36,11 @@ bool starts_inside(const PosedTriangles& target, const Vec3& origin) {
 
 RayHit hit_at_start(const PreparedRay& ray) {
   RayHit hit;
-  hit.hit = true;
   hit.point = ray.origin;
   return hit;
 }
 
-RayHit hit_of_surface(const RayTarget& search, const PreparedRay& ray, const TriangleHit& found) {
+std::optional<RayHit> hit_of_surface(const RayTarget& search, const PreparedRay& ray, const TriangleHit& found) {
   if (!found.time.hit) return {};
   const Index face = search.mesh().face_of(found.triangle);
   const Cast cast = found.cast ? *found.cast : ray_hit(ray, search.world_triangle(found.triangle), found.time);
@@ -46,12 +49,13 @@ RayHit hit_of_surface(const RayTarget& search, const PreparedRay& ray, const Tri
   return hit;
 }
 
-RayHit hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
-  return starts_inside(target, ray.origin) ? hit_at_start(ray) : hit_of_surface(search, ray, search.first_hit(ray));
+std::optional<RayHit> hit_of(const PosedTriangles& target, const RayTarget& search, const PreparedRay& ray) {
+  if (starts_inside(target, ray.origin)) return hit_at_start(ray);
+  return hit_of_surface(search, ray, search.first_hit(ray));
 }
 
 /// At a mesh at the identity: it is posed for what begins in its box alone.
-RayHit hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray) {
+std::optional<RayHit> hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray) {
   const bool as_solid = taken_as_solid(target, Pose{}, solid, name_of_target);
   if (as_solid && overlap(target.wide_bvh().box, Aabb{ray.origin, ray.origin}) &&
       is_interior(ray.origin, PosedMesh(target, Pose{}, name_of_target)))
@@ -62,11 +66,12 @@ RayHit hit_of_standing(const Model& target, Solid solid, const PreparedRay& ray)
 
 /// The hits of many rays at one mesh.
 void hits_of(const PosedTriangles& target, const RayTarget& search, std::span<const PreparedRay> rays,
-             std::span<RayHit> hits) {
+             std::span<std::optional<RayHit>> hits) {
   std::vector<TriangleHit> found(rays.size());
   search.first_hits(rays, found);
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = starts_inside(target, rays[i].origin) ? hit_at_start(rays[i]) : hit_of_surface(search, rays[i], found[i]);
+    hits[i] = starts_inside(target, rays[i].origin) ? std::optional(hit_at_start(rays[i]))
+                                                    : hit_of_surface(search, rays[i], found[i]);
 }
 
 void require_answered(ShapeKind target) {
@@ -85,34 +90,34 @@ RaySearch::RaySearch(const Model& target, const Pose& pose, Solid solid)
   }
 }
 
-RayHit RaySearch::first_hit(const PreparedRay& ray) const {
+std::optional<RayHit> RaySearch::first_hit(const PreparedRay& ray) const {
   if (posed_.parts.size() == 1) return hit_of_part(posed_.parts[0], 0, ray);
   std::optional<RayHit> earliest;
   std::size_t mesh = 0;
   for (const PosedPart& part : posed_.parts) {
-    RayHit found = hit_of_part(part, mesh, ray);
+    std::optional<RayHit> found = hit_of_part(part, mesh, ray);
     if (std::holds_alternative<PosedTriangles>(part.shape)) ++mesh;
-    if (!found.hit) continue;
-    found.element += part.first_element;
-    found.face += part.first_face;
-    keep_least(earliest, found);
+    if (!found) continue;
+    found->element += part.first_element;
+    found->face += part.first_face;
+    keep_least(earliest, *found);
   }
-  return earliest.value_or(RayHit{});
+  return earliest;
 }
 
-void RaySearch::first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const {
+void RaySearch::first_hits(std::span<const PreparedRay> rays, std::span<std::optional<RayHit>> hits) const {
   const auto* triangles = std::get_if<PosedTriangles>(&posed_.parts[0].shape);
   if (posed_.parts.size() == 1 && triangles != nullptr) return hits_of(*triangles, meshes_[0], rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(rays[i]);
 }
 
-RayHit RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const {
+std::optional<RayHit> RaySearch::hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const {
   if (const auto* triangles = std::get_if<PosedTriangles>(&part.shape)) return hit_of(*triangles, meshes_[mesh], ray);
   if (const auto* half_space = std::get_if<PosedHalfSpace>(&part.shape))
-    return numbered(cast_ray(ray.origin, ray.motion, *half_space));
+    return of_one_element(cast_ray(ray.origin, ray.motion, *half_space));
   if (const auto* quadric = std::get_if<PosedQuadric>(&part.shape))
-    return numbered(cast_ray(ray.origin, ray.motion, *quadric));
-  return numbered(cast_ray(ray.origin, ray.motion, std::get<PosedPolytope>(part.shape)));
+    return of_one_element(cast_ray(ray.origin, ray.motion, *quadric));
+  return of_one_element(cast_ray(ray.origin, ray.motion, std::get<PosedPolytope>(part.shape)));
 }
 
 struct RayCaster::Ready {
@@ -127,11 +132,12 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
-RayHit RayCaster::cast_ray(const Vec3& origin, const Vec3& motion) const {
+std::optional<RayHit> RayCaster::cast_ray(const Vec3& origin, const Vec3& motion) const {
   return ready_->search.first_hit(PreparedRay(origin, motion));
 }
 
-RayHit cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose, Solid solid) {
+std::optional<RayHit> cast_ray(const Vec3& origin, const Vec3& motion, const Model& target, const Pose& pose,
+                               Solid solid) {
   if (!target.has_mesh()) return RaySearch(target, pose, solid).first_hit(PreparedRay(origin, motion));
   if (pose == Pose{}) return hit_of_standing(target, solid, PreparedRay(origin, motion));
   // The same without lists of one.

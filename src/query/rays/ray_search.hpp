@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,13 +17,14 @@ class RaySearch {
   RaySearch(const RaySearch&) = delete;
   RaySearch& operator=(const RaySearch&) = delete;
 
-  [[nodiscard]] RayHit first_hit(const PreparedRay& ray) const;
+  [[nodiscard]] std::optional<RayHit> first_hit(const PreparedRay& ray) const;
 
   /// The same of many: those at one mesh are walked side by side.
-  void first_hits(std::span<const PreparedRay> rays, std::span<RayHit> hits) const;
+  void first_hits(std::span<const PreparedRay> rays, std::span<std::optional<RayHit>> hits) const;
 
  private:
-  [[nodiscard]] RayHit hit_of_part(const PosedPart& part, std::size_t mesh, const PreparedRay& ray) const;
+  [[nodiscard]] std::optional<RayHit> hit_of_part(const PosedPart& part, std::size_t mesh,
+                                                  const PreparedRay& ray) const;
 
   PosedModel posed_;
   std::vector<RayTarget> meshes_;  ///< of the parts that are meshes, in their order

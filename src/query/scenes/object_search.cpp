@@ -69,10 +69,11 @@ void require_ray(const Ray& ray) {
   if (ray.motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
 }
 
-ObjectAnswer<RayHit> hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
-  return ask_about(object, objects, [&](const InstanceView& at) {
-    return ObjectAnswer<RayHit>{cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid), object};
+std::optional<ObjectAnswer<RayHit>> hit_of(const SearchedObjects& objects, Index object, const Ray& ray) {
+  const auto hit = ask_about(object, objects, [&](const InstanceView& at) {
+    return cast_ray(ray.origin, ray.motion, at.model, at.pose, at.solid);
   });
+  return hit ? std::optional(ObjectAnswer<RayHit>{*hit, object}) : std::nullopt;
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ std::optional<ObjectAnswer<RayHit>> first_ray_hit(const SearchedObjects& objects
   std::optional<ObjectAnswer<RayHit>> first;
   objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
     if (objects.accepts(object) && !is_settled(first, object))
-      if (const ObjectAnswer<RayHit> found = hit_of(objects, object, ray); found.hit) keep_first(first, found);
+      if (const auto found = hit_of(objects, object, ray)) keep_first(first, *found);
     return last_time(first);
   });
   return first;
@@ -93,7 +94,7 @@ std::vector<ObjectAnswer<RayHit>> all_ray_hits(const SearchedObjects& objects, c
   std::vector<ObjectAnswer<RayHit>> all;
   objects.tree.visit_along({ray.origin, ray.origin}, ray.motion, 1, [&](Index object) {
     if (objects.accepts(object))
-      if (const ObjectAnswer<RayHit> found = hit_of(objects, object, ray); found.hit) all.push_back(found);
+      if (const auto found = hit_of(objects, object, ray)) all.push_back(*found);
     return 1.0;
   });
   std::sort(all.begin(), all.end(), [](const ObjectAnswer<RayHit>& a, const ObjectAnswer<RayHit>& b) {

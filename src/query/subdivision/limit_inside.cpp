@@ -42,7 +42,7 @@ bool stays_clear(const LeafMesh& leaves, std::span<const RoughPoint> points) {
     const Aabb box = fit_aabb(triangle.vertex);
     for (const RoughPoint& p : points) {
       if (gap_to_box(p.at, box) > 2 * (needed + p.radius)) continue;
-      if (!(nearest_point(p.at, triangle).lower > (needed + p.radius) * (1 + 0x1p-50))) return false;
+      if (!(nearest_point(p.at, triangle)->lower > (needed + p.radius) * (1 + 0x1p-50))) return false;
     }
   }
   return true;

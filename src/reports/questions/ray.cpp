@@ -16,34 +16,38 @@
 namespace toccata {
 namespace {
 
+/// That nothing is met is proved.
+Status status_of(const ReportedRay& ray) { return ray.hit ? ray.hit->status : Status::exact; }
+
 std::string line_of(const Scene& scene, std::span<const ReportedRay> rays, std::size_t i) {
   const ReportedRay& ray = rays[i];
   io::Json line = {{"ray", i},
                    {"from", io::json_of(ray.query.origin)},
                    {"motion", io::json_of(ray.query.motion)},
-                   {"hit", ray.hit.hit}};
-  if (ray.hit.hit) {
+                   {"hit", ray.hit.has_value()}};
+  if (ray.hit) {
     line["object"] = io::as_utf8(scene.objects[ray.object].name);
     line["object_index"] = ray.object;
-    line["face"] = ray.hit.face;
-    line["lower"] = ray.hit.lower;
-    line["upper"] = ray.hit.upper;
-    line["point"] = io::json_of(ray.hit.point);
-    line["normal"] = io::json_of(ray.hit.normal);
+    line["face"] = ray.hit->face;
+    line["lower"] = ray.hit->lower;
+    line["upper"] = ray.hit->upper;
+    line["point"] = io::json_of(ray.hit->point);
+    line["normal"] = io::json_of(ray.hit->normal);
   }
-  line["status"] = name_of(ray.hit.status);
+  line["status"] = name_of(status_of(ray));
   return io::line_of(line);
 }
 
 std::string csv_of(const Scene& scene, const ReportedRay& ray) {
-  if (!ray.hit.hit) return ",,,,,,,,,,";
-  const RayHit& hit = ray.hit;
+  if (!ray.hit) return ",,,,,,,,,,";
+  const RayHit& hit = *ray.hit;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},", io::csv_field(io::as_utf8(scene.objects[ray.object].name)),
                      hit.face, hit.lower, hit.upper, hit.point.x, hit.point.y, hit.point.z, hit.normal.x, hit.normal.y,
                      hit.normal.z);
 }
 
-std::vector<RayHit> hits_of(const SceneInstance& target, std::vector<RayQuery> rays, const BatchOptions& batch) {
+std::vector<std::optional<RayHit>> hits_of(const SceneInstance& target, std::vector<RayQuery> rays,
+                                           const BatchOptions& batch) {
   for (RayQuery& ray : rays) {
     ray.pose = target.pose;
     ray.solid = target.solid;
@@ -80,10 +84,10 @@ struct RayKind {
     for (const RayQuery& ray : question.rays)
       report.rays.push_back({{.origin = ray.origin, .motion = ray.motion}, {}, 0});
     for (std::size_t object = 0; object < asking.models.size(); ++object) {
-      const std::vector<RayHit> hits = hits_of(asking.models[object], question.rays, asking.batch());
+      const std::vector<std::optional<RayHit>> hits = hits_of(asking.models[object], question.rays, asking.batch());
       for (std::size_t i = 0; i < hits.size(); ++i) {
         ReportedRay& ray = report.rays[i];
-        if (!hits[i].hit || (ray.hit.hit && !(hits[i].upper < ray.hit.upper))) continue;
+        if (!hits[i] || (ray.hit && !(hits[i]->upper < ray.hit->upper))) continue;
         ray.hit = hits[i];
         ray.object = static_cast<Index>(object);
       }
@@ -99,8 +103,8 @@ struct RayKind {
   static std::string csv(const RayReport& report, const Scene& scene) {
     std::string csv = "ray,hit,object,face,lower,upper,x,y,z,normal_x,normal_y,normal_z,status\n";
     for (std::size_t i = 0; i < report.rays.size(); ++i)
-      csv += fmt::format("{},{},{}{}\n", i, report.rays[i].hit.hit ? 1 : 0, csv_of(scene, report.rays[i]),
-                         name_of(report.rays[i].hit.status));
+      csv += fmt::format("{},{},{}{}\n", i, report.rays[i].hit ? 1 : 0, csv_of(scene, report.rays[i]),
+                         name_of(status_of(report.rays[i])));
     return csv;
   }
 
@@ -109,12 +113,12 @@ struct RayKind {
       const auto& [query, hit, object] = report.rays[i];
       layers.begin(i);
       const Vec3 end = query.origin + query.motion;
-      layers.add_segments("ray", std::array{query.origin, hit.hit ? hit.point : end});
+      layers.add_segments("ray", std::array{query.origin, hit ? hit->point : end});
       layers.add_points("start", std::array{query.origin});
-      if (!hit.hit) continue;
-      layers.add_points("hit", std::array{hit.point});
+      if (!hit) continue;
+      layers.add_points("hit", std::array{hit->point});
       std::vector<io::Arrow> normal;
-      io::add_arrow(normal, hit.point, hit.normal);
+      io::add_arrow(normal, hit->point, hit->normal);
       layers.add_arrows("normal", normal);
     }
   }
@@ -123,7 +127,7 @@ struct RayKind {
     io::Json words = io::Json::array();
     for (const ReportedRay& ray : report.rays) {
       words.push_back(io::Json::object());
-      if (ray.hit.hit)
+      if (ray.hit)
         words.back()["methods"] = {{"cast", methods.number_of(ShapeQuestion::cast_ray, ray.object, ray.object)}};
     }
     return words;
@@ -132,9 +136,9 @@ struct RayKind {
   static void show(const RayReport& report, io::GlbFindings& nodes) {
     for (std::size_t i = 0; i < report.rays.size(); ++i) {
       const auto& [query, hit, object] = report.rays[i];
-      const Vec3 end = hit.hit ? hit.point : query.origin + query.motion;
+      const Vec3 end = hit ? hit->point : query.origin + query.motion;
       io::Json extras = io::Json::object();
-      if (hit.hit) extras = {{"meets", nodes.glb().name_of(object)}, {"fraction", hit.upper}};
+      if (hit) extras = {{"meets", nodes.glb().name_of(object)}, {"fraction", hit->upper}};
       nodes.add_node(fmt::format("ray {}", i),
                      std::vector<io::Shown>{{{query.origin, end}, io::GlbMode::lines, io::lengths}}, std::move(extras));
     }

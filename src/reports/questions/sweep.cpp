@@ -50,7 +50,8 @@ std::vector<ReportedSweep> pairs_asked(std::span<const SceneInstance> models, st
   return pairs;
 }
 
-ShapeHit swept(const SceneInstance& a, const RigidMotion& motion, const SceneInstance& b, double stop_before) {
+std::optional<ShapeHit> swept(const SceneInstance& a, const RigidMotion& motion, const SceneInstance& b,
+                              double stop_before) {
   try {
     return sweep(a.model, motion, b.model, b.pose,
                  {.solid_a = a.solid, .solid_b = b.solid, .stop_before = stop_before});
@@ -61,34 +62,34 @@ ShapeHit swept(const SceneInstance& a, const RigidMotion& motion, const SceneIns
 
 bool meets_sooner(const ReportedSweep& one, const ReportedSweep& other) {
   const auto key = [](const ReportedSweep& pair) {
-    return std::tuple(!pair.hit.hit, pair.hit.hit ? pair.hit.upper : 0, pair.a, pair.b);
+    return std::tuple(!pair.hit, pair.hit ? pair.hit->upper : 0, pair.a, pair.b);
   };
   return key(one) < key(other);
 }
 
 std::string line_of(const Scene& scene, const SweepReport& report, const ReportedSweep& pair) {
-  const ShapeHit& hit = pair.hit;
+  const std::optional<ShapeHit>& hit = pair.hit;
   io::Json line = {{"a", io::as_utf8(scene.objects[pair.a].name)},
                    {"b", io::as_utf8(scene.objects[pair.b].name)},
                    {"a_index", pair.a},
                    {"b_index", pair.b},
-                   {"hit", hit.hit},
-                   {"status", name_of(hit.status)}};
-  if (!hit.hit) return io::line_of(line);
-  line["lower"] = hit.lower;
-  line["upper"] = hit.upper;
-  line["point"] = io::json_of(hit.point);
-  line["normal"] = io::json_of(hit.normal);
-  line["face_a"] = hit.face_a;
-  line["face_b"] = hit.face_b;
-  line["pose_a"] = motion_of(report.question, scene.objects[pair.a].pose).at(hit.upper).numbers();
+                   {"hit", hit.has_value()},
+                   {"status", name_of(hit ? hit->status : Status::exact)}};
+  if (!hit) return io::line_of(line);
+  line["lower"] = hit->lower;
+  line["upper"] = hit->upper;
+  line["point"] = io::json_of(hit->point);
+  line["normal"] = io::json_of(hit->normal);
+  line["face_a"] = hit->face_a;
+  line["face_b"] = hit->face_b;
+  line["pose_a"] = motion_of(report.question, scene.objects[pair.a].pose).at(hit->upper).numbers();
   return io::line_of(line);
 }
 
-std::string csv_of(const ShapeHit& hit) {
-  if (!hit.hit) return ",,,,,,,,,";
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}", hit.lower, hit.upper, hit.point.x, hit.point.y, hit.point.z,
-                     hit.normal.x, hit.normal.y, hit.normal.z, hit.face_a, hit.face_b);
+std::string csv_of(const std::optional<ShapeHit>& hit) {
+  if (!hit) return ",,,,,,,,,";
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}", hit->lower, hit->upper, hit->point.x, hit->point.y, hit->point.z,
+                     hit->normal.x, hit->normal.y, hit->normal.z, hit->face_a, hit->face_b);
 }
 
 struct SweepKind {
@@ -143,8 +144,8 @@ struct SweepKind {
     std::string csv = "a,b,hit,status,lower,upper,x,y,z,normal_x,normal_y,normal_z,face_a,face_b\n";
     for (const ReportedSweep& pair : report.pairs)
       csv += fmt::format("{},{},{},{},{}\n", io::csv_field(io::as_utf8(scene.objects[pair.a].name)),
-                         io::csv_field(io::as_utf8(scene.objects[pair.b].name)), pair.hit.hit ? 1 : 0,
-                         name_of(pair.hit.status), csv_of(pair.hit));
+                         io::csv_field(io::as_utf8(scene.objects[pair.b].name)), pair.hit ? 1 : 0,
+                         name_of(pair.hit ? pair.hit->status : Status::exact), csv_of(pair.hit));
     return csv;
   }
 };
@@ -152,8 +153,8 @@ struct SweepKind {
 }  // namespace
 
 std::size_t meeting_count(const SweepReport& report) {
-  return static_cast<std::size_t>(
-      std::count_if(report.pairs.begin(), report.pairs.end(), [](const ReportedSweep& pair) { return pair.hit.hit; }));
+  return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
+                                                [](const ReportedSweep& pair) { return pair.hit.has_value(); }));
 }
 
 RigidMotion motion_of(const SweepQuestion& question, const Pose& pose) {

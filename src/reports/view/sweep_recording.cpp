@@ -25,7 +25,7 @@ struct ShownMoment {
 std::vector<ShownMoment> moments_of(const SweepReport& report) {
   std::vector<ShownMoment> moments;
   for (const ReportedSweep& pair : report.pairs)
-    if (pair.hit.hit) moments.push_back({pair.hit.upper, true});
+    if (pair.hit) moments.push_back({pair.hit->upper, true});
   for (int i = 0; i <= even_moments; ++i) moments.push_back({static_cast<double>(i) / even_moments, false});
   std::stable_sort(moments.begin(), moments.end(),
                    [](const ShownMoment& a, const ShownMoment& b) { return a.time < b.time; });
@@ -40,7 +40,7 @@ Body body_of(const SceneInstance& model, bool moves, bool is_measured) {
   Body body{.model = model.model, .pose = model.pose};
   body.solid = model.solid;
   body.name = model.name;
-  body.group = moves ? in_motion : at_rest;
+  body.category = moves ? in_motion : at_rest;
   body.mask = moves ? at_rest : in_motion;
   body.margin = is_measured ? infinity : 0;
   return body;

@@ -18,7 +18,7 @@ Body body_of_walk(const SceneInstance& model, bool is_walker) {
   Body body{.model = model.model, .pose = model.pose};
   body.solid = model.solid;
   body.name = model.name;
-  body.group = is_walker ? of_walker : of_level;
+  body.category = is_walker ? of_walker : of_level;
   body.mask = is_walker ? of_level : of_walker;
   return body;
 }

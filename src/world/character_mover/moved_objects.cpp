@@ -33,13 +33,14 @@ class PushingObject {
     for (const double gap : {gap_, 0.25 * gap_, 0.0}) {
       const RigidMotion motion = RigidMotion::between(begin_, at.pose);
       const SweepQuery query{Solid::automatic, at.solid, gap};
-      const ShapeHit met = sweep(body_.model(), RigidMotion(body_.pose_at(position)), at.model, motion, query);
-      if (!met.hit) return {};
-      const Pose there = met.lower > 0 ? motion.at(met.lower) : begin_;
-      const double way = dot(displacement_of(met.point, there, at.pose), met.normal);
+      const std::optional<ShapeHit> met =
+          sweep(body_.model(), RigidMotion(body_.pose_at(position)), at.model, motion, query);
+      if (!met) return {};
+      const Pose there = met->lower > 0 ? motion.at(met->lower) : begin_;
+      const double way = dot(displacement_of(met->point, there, at.pose), met->normal);
       if (!(way > 0)) continue;
       begin_ = there;
-      return way * met.normal;
+      return way * met->normal;
     }
     return {};
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/certain_answer.hpp"
 #include "math/constants.hpp"
 #include "math/vec3_measures.hpp"
 #include "narrow/convex/time_width.hpp"
@@ -166,7 +167,6 @@ class QuadricCast {
 
   [[nodiscard]] Cast met(double late, QuadricContact how) const {
     Cast cast;
-    cast.hit = true;
     cast.lower = free_until_;
     cast.upper = late;
     cast.point = point_;
@@ -190,11 +190,6 @@ void require_motion(const Vec3& motion) {
   if (!is_finite(motion)) throw Error("a cast: the motion has a coordinate that is not finite");
 }
 
-Cast in_world(Cast cast, const PairFrame& frame) {
-  if (cast.hit) cast.point = frame.back(cast.point);
-  return cast;
-}
-
 /// As far as doubles go.
 template <class B>
 QuadricAdvance begun(const PosedQuadric& a, const Vec3& motion, const B& b, const PairFrame& frame, double limit) {
@@ -212,66 +207,65 @@ std::optional<Cast> cast_until(const PosedQuadric& a, const Vec3& motion, const 
   std::optional<QuadricNearest> nearest;
   if (!(start.free_until > 0)) nearest = nearest_of(a, body_a, b, body_b, QuadricQuestion::distance);
   const BoxWithin box = box_within(b, frame);
-  const auto cast = QuadricCast(body_a, frame.scaled(motion), body_b, box).answer(start, nearest, limit);
-  return cast ? std::optional(in_world(*cast, frame)) : std::nullopt;
+  auto cast = QuadricCast(body_a, frame.scaled(motion), body_b, box).answer(start, nearest, limit);
+  if (cast) cast->point = frame.back(cast->point);
+  return cast;
 }
 
-/// What a ray meets, where that is certain.
+/// What a ray meets.
 template <class Number>
-std::optional<Cast> cast_of(const LineWithin<Number>& within, const Vec3& origin, const Vec3& motion) {
+CertainAnswer<Cast> cast_of(const LineWithin<Number>& within, const Vec3& origin, const Vec3& motion) {
   const Number one = number_as<Number>(1.0);
-  if (within.empty) return Cast{};
+  if (within.empty) return {true};
   Cast cast;
   cast.point = origin;
-  cast.hit = within.enters.is_negative() && within.leaves.is_positive();
-  if (cast.hit) return cast;
-  if ((within.enters - one).is_positive() || within.leaves.is_negative()) return Cast{};
+  if (within.enters.is_negative() && within.leaves.is_positive()) return {true, cast};
+  if ((within.enters - one).is_positive() || within.leaves.is_negative()) return {true};
   if (!within.enters.is_positive() || !within.leaves.is_positive() || !(one - within.enters).is_positive()) return {};
-  cast.hit = true;
   cast.lower = std::fmax(0, floor_of(within.enters));
   cast.upper = std::fmin(1, ceiling_of(within.enters));
   if (!(cast.upper - cast.lower <= 4 * time_width)) return {};
   cast.point = origin + cast.lower * motion;
   cast.normal = unit_or_zero(within.normal);
-  return cast;
+  return {true, cast};
 }
 
-std::optional<Cast> by_roots_in_doubles(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
+CertainAnswer<Cast> by_roots_in_doubles(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
   const Mat3& linear = target.pose().linear;
   const Vec3& half = target.half();
   const std::array<Vec3, 3> axis{half.x * linear.column(0), half.y * linear.column(1), half.z * linear.column(2)};
   const auto within = fast_line_within(target.kind(), axis, origin - target.pose().offset, motion);
-  return within ? cast_of(*within, origin, motion) : std::nullopt;
+  return within ? cast_of(*within, origin, motion) : CertainAnswer<Cast>{};
 }
 
-std::optional<Cast> by_roots(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
-  if (const auto quickly = by_roots_in_doubles(origin, motion, target)) return quickly;
+CertainAnswer<Cast> by_roots(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
+  if (const auto quickly = by_roots_in_doubles(origin, motion, target); quickly.is_certain) return quickly;
   const PairFrame frame = pair_frame(target, target);
   const QuadricBody body(target, frame);
   const auto within = line_within(RoundAndLine<BoundedNumber>{
       target.kind(), body.axes(), frame.place(origin) - body.middle_point(), frame.scaled(motion)});
-  return within ? cast_of(*within, origin, motion) : std::nullopt;
+  return within ? cast_of(*within, origin, motion) : CertainAnswer<Cast>{};
 }
 
 }  // namespace
 
-Cast cast_ray(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
+std::optional<Cast> cast_ray(const Vec3& origin, const Vec3& motion, const PosedQuadric& target) {
   if (!is_finite(origin)) throw Error("a ray: its origin has a coordinate that is not finite");
   require_motion(motion);
   if (motion == Vec3{}) throw Error("a ray: its motion is zero; ask whether the point overlaps");
-  if (const auto cast = by_roots(origin, motion, target)) return *cast;
+  if (const auto told = by_roots(origin, motion, target); told.is_certain) return told.answer;
   return cast_shape(PosedPolytope(Point(origin)), motion, target);
 }
 
-Cast cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedPolytope& b) {
-  return cast_until(a, motion, b, 1).value_or(Cast{});
+std::optional<Cast> cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedPolytope& b) {
+  return cast_until(a, motion, b, 1);
 }
 
-Cast cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedQuadric& b) {
-  return cast_until(a, motion, b, 1).value_or(Cast{});
+std::optional<Cast> cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedQuadric& b) {
+  return cast_until(a, motion, b, 1);
 }
 
-Cast cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedQuadric& b) {
+std::optional<Cast> cast_shape(const PosedPolytope& a, const Vec3& motion, const PosedQuadric& b) {
   return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
@@ -284,8 +278,7 @@ std::optional<Cast> cast_shape_until(const PosedQuadric& a, const Vec3& motion, 
 }
 
 std::optional<Cast> cast_shape_until(const PosedPolytope& a, const Vec3& motion, const PosedQuadric& b, double limit) {
-  const auto cast = cast_until(b, -motion, a, limit);
-  return cast ? std::optional(seen_from_target(*cast, motion)) : std::nullopt;
+  return seen_from_target(cast_until(b, -motion, a, limit), motion);
 }
 
 double free_until(const PosedQuadric& a, const Vec3& motion, const PosedPolytope& b, double limit) {
@@ -297,7 +290,7 @@ double free_until(const PosedPolytope& a, const Vec3& motion, const PosedQuadric
   return free_until(b, -motion, a, limit);
 }
 
-Cast cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedHalfSpace& b) {
+std::optional<Cast> cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedHalfSpace& b) {
   require_motion(motion);
   const PairFrame frame = pair_frame(a, b);
   const QuadricBody body(a, frame);
@@ -308,17 +301,15 @@ Cast cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedHalfSpace&
   const BoundedNumber fall = -dot(n, frame.scaled(motion));
   Cast cast;
   if (overlap(a, b)) {
-    cast.hit = true;
     cast.point = distance(a, b).on_b;
     return cast;
   }
   if (!fall.is_positive()) {
     // Certainly not falling, or so little that it stays above.
-    if ((height - fall).is_positive()) return cast;
+    if ((height - fall).is_positive()) return {};
   }
   const BoundedNumber time = height / fall;
-  if ((time - exactly(1.0)).is_positive()) return cast;
-  cast.hit = true;
+  if ((time - exactly(1.0)).is_positive()) return {};
   cast.lower = std::fmax(0, floor_of(time));
   cast.upper = std::fmin(1, ceiling_of(time));
   cast.status = (exactly(1.0) - time).is_positive() ? Status::exact : Status::undecided;
@@ -327,7 +318,7 @@ Cast cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedHalfSpace&
   return cast;
 }
 
-Cast cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedQuadric& b) {
+std::optional<Cast> cast_shape(const PosedHalfSpace& a, const Vec3& motion, const PosedQuadric& b) {
   return seen_from_target(cast_shape(b, -motion, a), motion);
 }
 
