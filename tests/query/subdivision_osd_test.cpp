@@ -34,7 +34,7 @@ TEST(SubdivisionOfOpenSubdiv, HasTheSamePointsAndLimitsWithinTheBound) {
       const SubdividedMesh refined = refine(cage, {.levels = 1});
       const Model model(refined.mesh);
       for (const WeightedPoint& p : peer_level(cage, 3).limits)
-        EXPECT_LE(nearest_point(p.at, model).lower, refined.distance_to_limit + 1e-6);
+        EXPECT_LE(nearest_point(p.at, model)->lower, refined.distance_to_limit + 1e-6);
     }
 }
 
