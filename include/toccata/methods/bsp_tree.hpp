@@ -52,7 +52,8 @@ enum class BspBevels {
   edges_and_corners,  ///< at a cell, across what up to eight of its planes make with each other
 };
 
-/// What a shape that moves meets when it is a point that moves among planes which have been moved out.
+/// What a shape that moves meets when it is a point that moves among planes which have been moved out. It need not be
+/// met by the shape.
 struct BspTrace {
   double time = 0;  ///< as a share of the way: no part of the solid is met before it, which is proved
   Vec3 normal{};    ///< unit, against the motion, of the plane that is reached then; zero if it was before the start
@@ -96,7 +97,8 @@ class BspTree {
   /// either side, and the shape is a point that goes through the cells. In front of a face that is exact, but where
   /// planes meet at an edge or a corner a cell that is grown so is too large, at sharp ones as far as the box of the
   /// mesh allows, which is moved out too. So it reports hits that are none, but never none where there is one: what is
-  /// free is proved. With bevels it reports fewer such hits. Throws Error when the motion is not finite.
+  /// free is proved, and there is no trace then. With bevels it reports fewer such hits. Throws Error when the motion
+  /// is not finite.
   [[nodiscard]] std::optional<BspTrace> trace(const PosedPolytope& shape, const Vec3& motion,
                                               BspBevels bevels = BspBevels::none) const;
 

@@ -125,8 +125,8 @@ struct SweepQuery {
   double stop_before = 0;
 };
 
-/// The first meeting of two models that move and turn; the times are those of the motions, from 0 to 1. Free is proved:
-/// at no real time in [0, 1] have they a point in common. A hit has one of three statuses:
+/// The first meeting of two models that move and turn; the times are those of the motions, from 0 to 1. None where at
+/// no real time in [0, 1] have they a point in common, which is proved. A hit has one of three statuses:
 ///
 ///   exact      nothing is met before `lower`, and at `upper` or before they have a point in common; both are proved
 ///   undecided  nothing is met before `lower`, when they come as near as can be told of poses that turn, some 10⁻¹³ of

@@ -175,10 +175,10 @@ namespace toccata {
 namespace toccata {
 
 // The exact first time in [0, 1] lies in [lower, upper]; a miss is proved. Status: exact, when upper − lower is at most
-// 2⁻⁴⁰ and both ends are proved; undecided, when the way grazes and whether they meet could not be proved: hit is true
-// then, and [lower, upper] is where they would; not_converged, when the interval holds but is wider. A ray goes from
-// `origin` to `origin + motion`; of two shapes A moves and B stands. Throws Error when a number is not finite, or the
-// motion of a ray is zero.
+// 2⁻⁴⁰ and both ends are proved; undecided, when the way grazes and whether they meet could not be proved: a
+// hit is told then, and [lower, upper] is where they would; not_converged, when the interval holds but is wider. A ray
+// goes from `origin` to `origin + motion`; of two shapes A moves and B stands. Throws Error when a number is not
+// finite, or the motion of a ray is zero.
 [[nodiscard]] std::optional<Cast> cast_ray(const Vec3& origin, const Vec3& motion, const PosedQuadric& target);
 
 [[nodiscard]] std::optional<Cast> cast_shape(const PosedQuadric& a, const Vec3& motion, const PosedQuadric& b);
