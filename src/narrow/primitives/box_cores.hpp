@@ -160,8 +160,8 @@ HWY_INLINE ConvexFeature feature_of(const BesideBox& b) {
 }
 
 /// A point that is certainly outside of the box.
-HWY_NOINLINE OffsetCorePair<2, 1> cores_beside(const OneBall& a, const OneBlock& b, const BesideBox& beside_b,
-                                               bool& is_certain) {
+[[maybe_unused]] HWY_NOINLINE OffsetCorePair<2, 1> cores_beside(const OneBall& a, const OneBlock& b,
+                                                                const BesideBox& beside_b, bool& is_certain) {
   const BoxSide side = side_of(b, beside_b, a.centre);
   is_certain = side.is_certain;
   return {{a.centre, side.corner, side.edge, {side.beyond}, b.slack},
@@ -211,8 +211,8 @@ HWY_INLINE OneVector outward_normal(const OneBlock& block, std::size_t axis, dou
 
 /// The way of a point out of the box, through the face that is seen to be the nearest; the other five are farther by
 /// more than the frame is off.
-HWY_NOINLINE WayOut way_out(const OneBlock& block, const BesideBox& b, const OneVector& point,
-                            const OneVector& from_centre) {
+[[maybe_unused]] HWY_NOINLINE WayOut way_out(const OneBlock& block, const BesideBox& b, const OneVector& point,
+                                             const OneVector& from_centre) {
   const std::size_t k = b.across;
   const bool is_beside = std::fabs(b.at[k]) > 4 * b.error, is_within = b.beyond[k] < -4 * b.error;
   bool is_least = is_beside & is_within;
@@ -343,8 +343,8 @@ HWY_INLINE OffsetCorePair<2, 2> cores_at_end(const OneRod& a, const OneBlock& b,
 }
 
 /// The segment does not reach the box.
-HWY_NOINLINE OffsetCorePair<2, 2> cores_beside(const OneRod& a, const OneBlock& b, const RodBesideBox& rod,
-                                               bool& is_certain) {
+[[maybe_unused]] HWY_NOINLINE OffsetCorePair<2, 2> cores_beside(const OneRod& a, const OneBlock& b,
+                                                                const RodBesideBox& rod, bool& is_certain) {
   if (rod.share > 0 && rod.share < 1) return cores_within(a, b, rod, is_certain);
   return cores_at_end(a, b, rod, is_certain);
 }
@@ -422,7 +422,7 @@ HWY_INLINE WayOut way_across_edge(const OneRod& a, const OneBlock& b, std::size_
 
 /// Along the axis that is the least in the frame, which is off by 2^-40 of the sizes over the sine; the other five are
 /// deeper by more than that.
-HWY_NOINLINE WayOut way_out(const OneRod& a, const OneBlock& b, const RodBesideBox& rod) {
+[[maybe_unused]] HWY_NOINLINE WayOut way_out(const OneRod& a, const OneBlock& b, const RodBesideBox& rod) {
   const ThreeNumbers local = numbers_of(b.local(minus(a.start, b.centre)));
   const RodAxes axes = axes_of_rod(local, rod.way, rod.nearest.half);
   const bool is_face = axes.least < 3;
